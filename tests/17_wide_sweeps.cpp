@@ -29,8 +29,10 @@ void arrange_all(const std::vector<Row<Dof>>& rows, Index bodies, WideSolver<Dof
 }
 
 template <int L>
-void check_bits_of_chapter_6(const std::vector<Row<3>>& rows, Index bodies, const VecX& u, const VecX& start)
+void check_bits_of_chapter_6(const std::vector<Row<3>>& rows, const VecX& inverse_mass, const VecX& u,
+                             const VecX& start)
 {
+    const Index bodies = inverse_mass.size() / 3;
     WideSolver<3, Real, L> solver;
     arrange_all(rows, bodies, solver);
     std::vector<int> order = visiting_order(solver.wide);
@@ -41,6 +43,7 @@ void check_bits_of_chapter_6(const std::vector<Row<3>>& rows, Index bodies, cons
     sequential_impulse(rows, std::span<const int>(order), {7, 0}, memory, u_there, there);
 
     Bodies<3> moved(bodies);
+    moved.inverse_mass = inverse_mass;
     moved.u = u;
     StepData<3> now;
     now.rows = rows;
@@ -165,11 +168,11 @@ TEST_CASE("bodies around a hub beyond the last colour are still solved", "[idea]
 TEST_CASE("lanes have the bits of chapter 6 in the same order", "[house]")
 {
     const Problem p = pyramid_problem(8);
-    const Index bodies = p.scene.bodies.count();
-    check_bits_of_chapter_6<1>(p.now.rows, bodies, p.now.u_star, p.now.solution.lambda);
-    check_bits_of_chapter_6<2>(p.now.rows, bodies, p.now.u_star, p.now.solution.lambda);
-    check_bits_of_chapter_6<4>(p.now.rows, bodies, p.now.u_star, p.now.solution.lambda);
-    check_bits_of_chapter_6<8>(p.now.rows, bodies, p.now.u_star, p.now.solution.lambda);
+    const VecX& inverse_mass = p.scene.bodies.inverse_mass;
+    check_bits_of_chapter_6<1>(p.now.rows, inverse_mass, p.now.u_star, p.now.solution.lambda);
+    check_bits_of_chapter_6<2>(p.now.rows, inverse_mass, p.now.u_star, p.now.solution.lambda);
+    check_bits_of_chapter_6<4>(p.now.rows, inverse_mass, p.now.u_star, p.now.solution.lambda);
+    check_bits_of_chapter_6<8>(p.now.rows, inverse_mass, p.now.u_star, p.now.solution.lambda);
 }
 
 TEST_CASE("lanes have the bits of chapter 6 on rows of every kind", "[house]")
@@ -184,8 +187,8 @@ TEST_CASE("lanes have the bits of chapter 6 on rows of every kind", "[house]")
         for (Index i = 0; i < u.size(); ++i) u[i] = inverse_mass[i] > 0 ? random.uniform(-1, 1) : 0;
         VecX start(static_cast<Index>(rows.size()));
         for (Index i = 0; i < start.size(); ++i) start[i] = random.uniform(0, 0.2);
-        check_bits_of_chapter_6<1>(rows, bodies, u, start);
-        check_bits_of_chapter_6<4>(rows, bodies, u, start);
+        check_bits_of_chapter_6<1>(rows, inverse_mass, u, start);
+        check_bits_of_chapter_6<4>(rows, inverse_mass, u, start);
     }
 }
 
@@ -196,6 +199,7 @@ Answer swept_by(const BrickRows& all, int threads)
     solver.threads = threads;
     solver.sweeps = {30, 0};
     Bodies<3> bodies(all.bodies);
+    bodies.inverse_mass = all.inverse_mass;
     StepData<3> now;
     now.rows = all.rows;
     now.u_star = all.u;
@@ -253,6 +257,7 @@ TEST_CASE("what moves by itself and is moved by nothing is felt", "[idea]")
         VecX u(3 * bodies);
         for (Index i = 0; i < u.size(); ++i) u[i] = random.uniform(-1, 1);
         Bodies<3> moved(bodies);
+        moved.inverse_mass = inverse_mass;
         moved.u = u;
         StepData<3> now;
         now.rows = rows;

@@ -154,6 +154,7 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
     FrictionSweeps<Manifolds> method;
     StepData<3> now;
     for (int i = 0; i < 3; ++i) step(scene, {.h = frame}, method, now);
+    scene.bodies.x = now.x_found;  // where its contacts were found
     Random random(5);
     for (Index k = 0; k < scene.bodies.u.size(); ++k)
         if (scene.bodies.inverse_mass[k] > 0) scene.bodies.u[k] = random.uniform(-1, 1);
@@ -209,6 +210,7 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
             lambda[i] = next;
         }
     };
+    int turned = 0;
     for (int n = 0; n < count; ++n) {
         theirs.u += (now.u_star - scene.bodies.u) / count;
         for (std::size_t i = 0; i < now.rows.size(); ++i)
@@ -220,8 +222,17 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
             if (row.bounded_by < 0) row.bias = 0;
             C[i] += h * row.velocity(theirs.u);
         }
+        for (std::size_t i = 0; i < now.rows.size(); ++i) {  // of contacts the gap
+            const Source& source = now.sources[i];
+            if (source.of != Source::Of::contact || source.part != normal_part) continue;
+            const Contact& contact = now.contacts[static_cast<std::size_t>(source.index)];
+            C[static_cast<Index>(i)] =
+                now.constraints[i].C - contact.gap + contact_constraint(contact, now.x_found, theirs.x).C;
+            turned += contact.normal_of != NormalOf::fixed;
+        }
         visit(false);
     }
+    CHECK(turned > 100);
     // 8 small steps of three visits, sums in another order
     CHECK((theirs.u - ours.u).cwiseAbs().maxCoeff() < 1e-11);
     CHECK((theirs.x - ours.x).cwiseAbs().maxCoeff() < 1e-13);
@@ -322,23 +333,90 @@ TEST_CASE("what comes to rest is solved to the end and then falls asleep", "[ide
 
 TEST_CASE("a disc that rolls keeps a heap awake and rolling resistance lets it sleep", "[idea]")
 {
-    IslandsUnderTest smooth(poured_scene(180)), rough(poured_scene(180, 0.001));
+    IslandsUnderTest smooth(poured_scene(210)), rough(poured_scene(210, 0.001));
     int asleep = 0;
     for (int i = 0; i < 500; ++i) {
         smooth.step();
         rough.step();
         asleep += rough.awake() == 0;
     }
-    // after 182 steps; in the engine, where thin bodies overlap by less, fourteen of fifteen pours after 201 to 337
+    // after 242 steps; in the engine, where thin bodies overlap by less, fifteen pours after 194 to 430
     CHECK(asleep > 100);
-    CHECK(smooth.awake() == 180);
+    CHECK(smooth.awake() == 210);
     int moving = 0;
-    for (Index k = 0; k < 180; ++k) {
+    for (Index k = 0; k < 210; ++k) {
         const Vec<3> u = smooth.scene.bodies.velocity(k);
         moving += u.head<2>().norm() > 1e-3 || std::abs(u[2]) > 4e-3;
     }
     CHECK(moving >= 1);
     CHECK(moving <= 4);  // a disc, and what leans on it
+}
+
+TEST_CASE("in small steps the error of a contact is its gap however a pair turns", "[house]")
+{
+    constexpr int lanes = full_lanes<Real>;
+    using V = Lanes<Real, lanes>;
+    Random random(9);
+    Real worst = 0;
+    const auto some = [&](Real most) { return random.uniform(-most, most); };
+    for (int round = 0; round < 200; ++round) {
+        Contact contact;
+        contact.a = round % 5 == 0 ? world : 0, contact.b = 1;
+        contact.normal = Vec2{some(1), some(1)}.normalized();
+        contact.point = {some(2), some(2)};
+        contact.gap = some(0.1), contact.core_a = 0.1, contact.core_b = round % 2 ? 0.2 : 0;
+        if (contact.a != world)
+            contact.normal_of =
+                std::array{NormalOf::fixed, NormalOf::a, NormalOf::b, NormalOf::centres}[random.index(4)];
+        StepData<3> whole;
+        StepPart part;
+        part.local = Bodies<3>(2);
+        whole.x_found.resize(6);
+        for (Index i = 0; i < 6; ++i) whole.x_found[i] = some(3);
+        // where the part begins they may have gone on already, as in a second sub-step
+        part.local.x = whole.x_found;
+        if (round % 3 == 0)
+            for (Index i = 0; i < 6; ++i) part.local.x[i] += some(0.2);
+        const Constraint<3> begin = contact_constraint(contact, whole.x_found, part.local.x);
+        Row<3> row;
+        row.a = contact.a, row.b = contact.b;
+        // one of two may be moved by nothing, and the lane may have them the other way round
+        const std::pair<int, int> places = contact.a == world ? std::pair(1, 1)
+                                           : round % 7 == 1   ? std::pair(1, 1)
+                                           : round % 7 == 2   ? std::pair(0, 0)
+                                           : round % 2        ? std::pair(0, 1)
+                                                              : std::pair(1, 0);
+        VecX by = VecX::Zero(6);
+        for (const int k : {places.first, places.second})
+            for (Index d = 0; d < 3; ++d) by[3 * k + d] = some(0.1);
+        // what impulses do not move goes on as it goes
+        const Real elapsed = 0.01;
+        if (contact.a != world && places.first == places.second)
+            for (Index d = 0; d < 3; ++d) {
+                const Index i = 3 * (1 - places.first) + d;
+                by[i] = some(0.1);
+                part.local.u[i] = by[i] / elapsed;
+            }
+        LaneContact<V> at;
+        std::vector<LaneSpeed<V>> speeds;
+        write_contact(contact, whole, part, row, places, lanes - 1, at, speeds);
+        V x[2][3], n[2];
+        const bool swapped = places.second == contact.a, alone = places.first == places.second;
+        for (int d = 0; d < 3; ++d) {
+            x[0][d] = V{} + (alone ? 0 : by[3 * places.first + d]);
+            x[1][d] = V{} + by[3 * places.second + d];
+            if (!speeds.empty()) x[0][d] = x[0][d] + speeds.front().u[d] * elapsed;
+        }
+        for (int d = 0; d < 2; ++d) n[d] = V{} + (swapped ? -1 : 1) * begin.Jb[d];
+        CHECK(speeds.size() == (alone && contact.a != world));
+        Real C = begin.C + begin.Jb.dot(by.segment<3>(3));
+        if (contact.a != world) C += begin.Ja.dot(by.segment<3>(0));
+        const Real gap = contact_constraint(contact, whole.x_found, part.local.x + by).C;
+        INFO("round " << round << ", normal of " << static_cast<int>(contact.normal_of));
+        CHECK(C + lane(turned_gap(at, n, x[0], x[1]), lanes - 1) == Approx(gap).margin(1e-13));
+        worst = std::max(worst, std::abs(C - gap));
+    }
+    CHECK(worst > 0.01);  // along J alone
 }
 
 TEST_CASE("in small steps pins turn with their bodies and their errors go along", "[house]")
@@ -364,31 +442,21 @@ TEST_CASE("in small steps pins turn with their bodies and their errors go along"
     fill(WideProblem<3>{now.rows}, solver.bundles, VecX(VecX::Zero(2)), bodies.u, wide);
     constexpr int lanes = full_lanes<Real>;
     TurningPins<lanes> pins;
-    pins.find(now, {0, 1}, bodies.inverse_mass, wide);
+    pins.find(now, {0, 1}, wide);
+    REQUIRE(pins.count() == 1);
 
     const Real k = frame / 8;
     const int count = 8;
     const Vec2 from = bodies.position(1).head<2>() - bodies.position(0).head<2>();
     const Vec2 arms[] = {Vec2(0.3, 0.1) - bodies.position(0).head<2>(),
                          Vec2(0.3, 0.1) - bodies.position(1).head<2>()};
-    Vec2 C = {0, 0};
     const auto [row, l] = wide.place[0];
     const auto at = [&, first = row ](int r) -> auto&
     {
         return wide.rows[static_cast<std::size_t>(first + r)];
     };
-    for (int n = 0; n < count; ++n) {
-        const Vec<3> ua = bodies.velocity(0), ub = bodies.velocity(1);
-        for (int r = 0; r < 2; ++r)
-            for (int d = 0; d < 3; ++d)
-                C[r] += k * (lane(at(r).Ja[d], l) * ua[d] + lane(at(r).Jb[d], l) * ub[d]);
-        using V = Lanes<Real, lanes>;
-        std::size_t next = 0;
-        pins.turn(
-            next, wide.packets.front(), V{} + ua[2], V{} + ub[2], k, wide,
-            [&, lane_of = l, first = row](int r, const V& gone) { C[r - first] += lane(gone, lane_of); });
-        CHECK(next == 1);
-    }
+    for (int n = 0; n < count; ++n) pins.turn(k, wide);
+    const Vec2 C = pins.open(0, l);
     // by the angle 2 arctan(k ω/2) each time
     const auto turned = [&](int body) {
         const Real angle = count * 2 * std::atan(k * bodies.velocity(body)[2] / 2);

@@ -346,6 +346,34 @@ TEST_CASE("solids that look ahead do not overlap by what they move in a step", "
     CHECK(deepest_of(1) < 1e-9);  // rows end where the surfaces are
 }
 
+TEST_CASE("two solids that their row holds are not stopped and what comes from afar is", "[house]")
+{
+    for (const bool on_wall : {false, true})
+        for (const Real ahead : {0.0, 1.0}) {
+            SpaceScene scene;
+            scene.gravity.setZero();
+            scene.length = 1;
+            const Index k = add_body(scene, {solid_ball(0.5)}, 1000.0, {0, 0.8, 0});
+            // it goes by a third of a metre in a step, two thirds of its inner radius
+            scene.bodies.velocity(k)[1] = -20;
+            if (on_wall) scene.walls.push_back({{0, 1, 0}, 0});
+            else add_body(scene, {solid_ball(0.5)}, SolidMass{}, {0, -0.5, 0});
+            if (on_wall) scene.wall_friction.assign(1, 0);
+            scene.friction.assign(static_cast<std::size_t>(scene.bodies.count()), 0);
+            TouchingCones method = stopping();
+            method.contacts.ahead = ahead;
+            StepData<6> now;
+            step(scene, {.h = sixtieth}, method, now);
+            INFO((on_wall ? "a wall, " : "a ball, ") << ahead);
+            REQUIRE(method.contacts.fast.bodies.size() == 1);
+            CHECK(method.contacts.fast.impacts == (ahead > 0 ? 0 : 1));
+            // its row lets it touch; what is stopped stops a quarter to a half of the margin before
+            const Real gap = scene.bodies.x[1] - 0.5, margin = StepSettings{}.margin;
+            if (ahead > 0) CHECK(std::abs(gap) < 1e-9);
+            else CHECK((gap > 0.2 * margin && gap < 0.55 * margin));
+        }
+}
+
 TEST_CASE("what is slow looks no farther than the margin and less than nothing is refused", "[house]")
 {
     SpaceScene scene = box_stack(3, 0.1, 0.5), other = scene;

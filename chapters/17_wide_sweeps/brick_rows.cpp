@@ -9,7 +9,7 @@ BrickRows brick_rows(int base)
 {
     BrickRows all;
     all.bodies = static_cast<Index>(base) * (base + 1) / 2;
-    VecX inverse_mass = VecX::Ones(3 * all.bodies);
+    VecX& inverse_mass = all.inverse_mass = VecX::Ones(3 * all.bodies);
     for (Index k = 0; k < all.bodies; ++k) inverse_mass[3 * k + 2] = 6;
     std::vector<Row<3>> normals;
     // a contact in the plane y = 0 of a brick whose centre is at x = 0 there

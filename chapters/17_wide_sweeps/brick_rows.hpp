@@ -12,7 +12,8 @@ namespace rigid {
 struct BrickRows {
     std::vector<Row<3>> rows;  ///< all friction rows, then all normals
     Index bodies = 0;
-    VecX u;  ///< u* [m/s]
+    VecX inverse_mass;  ///< [1/kg, 1/(kg m²)]
+    VecX u;             ///< u* [m/s]
 };
 
 /// \param base  bricks of 1 m and 1 kg in the lowest row; there are 4 base² rows

@@ -39,6 +39,7 @@ template <int Dof, class T, int L>
 struct WideRows {
     using V = Lanes<T, L>;
     std::vector<Packet<L>> packets;
+    std::vector<LaneMasses<Dof, V>> inverse;  ///< masses, of each packet
     /// where the packets of each colour begin; the rest comes last
     std::vector<int> colour_first;
     std::vector<WideRow<Dof, V>> rows;
@@ -178,6 +179,7 @@ void arrange(const std::vector<Row<Dof>>& rows, Index bodies,
     }
     out.colour_first.push_back(static_cast<int>(out.packets.size()));
     out.rows.assign(out.shapes.size(), WideRow<Dof, Lanes<T, L>>{});
+    out.inverse.assign(out.packets.size(), LaneMasses<Dof, Lanes<T, L>>{});
     out.u.assign(static_cast<std::size_t>(nobody), Slot<Dof, T>{});
 }
 //! [arrange]

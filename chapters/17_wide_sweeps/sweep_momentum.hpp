@@ -51,7 +51,8 @@ public:
     /// λ ← clamp(λ + β (λ − λ_before)), and u with it.
     void extrapolate(T beta, Wide& all)
     {
-        for (const Packet<L>& packet : all.packets) {
+        for (std::size_t p = 0; p < all.packets.size(); ++p) {
+            const Packet<L>& packet = all.packets[p];
             V ua[Dof], ub[Dof];
             gather<Dof, T, L>(all.u.data(), packet.a.data(), ua);
             gather<Dof, T, L>(all.u.data(), packet.b.data(), ub);
@@ -66,10 +67,7 @@ public:
                 start_[i] = clamped(row, all.shapes[i], reach, further);
                 const V change = start_[i] - row.lambda;
                 row.lambda = start_[i];
-                for (int d = 0; d < Dof; ++d) {
-                    ua[d] = ua[d] + row.Wa[d] * change;
-                    ub[d] = ub[d] + row.Wb[d] * change;
-                }
+                add_impulse<Dof, V>(row, all.inverse[p], change, ua, ub);
             }
             scatter<Dof, T, L>(ua, packet.a.data(), all.u.data());
             scatter<Dof, T, L>(ub, packet.b.data(), all.u.data());

@@ -16,7 +16,6 @@ namespace rigid {
 template <int Dof>
 struct LaneBlocks {
     RowVec<Dof> Ja = RowVec<Dof>::Zero(), Jb = RowVec<Dof>::Zero();
-    Vec<Dof> Wa = Vec<Dof>::Zero(), Wb = Vec<Dof>::Zero();
     Real bias = 0;
 };
 
@@ -27,16 +26,15 @@ LaneBlocks<Dof> lane_blocks(const Row<Dof>& row, const Movers& moves, const VecX
 {
     LaneBlocks<Dof> lane;
     const bool swapped = row.b < row.a;
-    const auto add = [&](Index body, const RowVec<Dof>& J, const Vec<Dof>& W,
-                         bool is_low) {
+    const auto add = [&](Index body, const RowVec<Dof>& J, bool is_low) {
         if (body == world) return;
         if (!(is_low ? moves.low : moves.high))
             lane.bias += J.dot(u.template segment<Dof>(Dof * body));
-        else if (is_low && moves.high) lane.Ja = J, lane.Wa = W;
-        else lane.Jb = J, lane.Wb = W;
+        else if (is_low && moves.high) lane.Ja = J;
+        else lane.Jb = J;
     };
-    add(row.a, row.Ja, row.Wa, !swapped);
-    add(row.b, row.Jb, row.Wb, swapped);
+    add(row.a, row.Ja, !swapped);
+    add(row.b, row.Jb, swapped);
     return lane;
 }
 //! [blocks]
@@ -114,6 +112,35 @@ void write_lane(V& many, int i, Real value)
                 &number, sizeof(T));
 }
 
+/// √x of each lane.
+template <class V>
+inline V root_of(const V& x)
+{
+    Eigen::Array<Real, sizeof(V) / sizeof(Real), 1> numbers;
+    std::memcpy(numbers.data(), &x, sizeof(V));
+    numbers = numbers.sqrt();
+    V root;
+    std::memcpy(&root, numbers.data(), sizeof(V));
+    return root;
+}
+
+/// M⁻¹ of the bodies of each packet; none of the bodies of empty lanes.
+template <int Dof, class T, int L>
+void put_masses(const VecX& inverse_mass, WideRows<Dof, T, L>& out)
+{
+    for (std::size_t p = 0; p < out.packets.size(); ++p)
+        for (int l = 0; l < L; ++l)
+            for (int d = 0; d < Dof; ++d) {
+                const auto i = static_cast<std::size_t>(l);
+                const Index a = Dof * out.packets[p].a[i] + d,
+                            b = Dof * out.packets[p].b[i] + d;
+                if (a < inverse_mass.size())
+                    write_lane(out.inverse[p].a[d], l, inverse_mass[a]);
+                if (b < inverse_mass.size())
+                    write_lane(out.inverse[p].b[d], l, inverse_mass[b]);
+            }
+}
+
 //! [fill]
 /// Copies rows, λ and u into their lanes.
 /// \param lambda  the λ of the rows, within their bounds [N s]
@@ -138,8 +165,6 @@ void fill(const WideProblem<Dof>& problem, const Bundles& bundles,
         for (int d = 0; d < Dof; ++d) {
             write_lane(wide.Ja[d], l, blocks.Ja[d]);
             write_lane(wide.Jb[d], l, blocks.Jb[d]);
-            write_lane(wide.Wa[d], l, blocks.Wa[d]);
-            write_lane(wide.Wb[d], l, blocks.Wb[d]);
         }
         const Real A = row.diagonal();
         write_lane(wide.mass, l, A > 0 && !problem.left_out(i) ? 1 / A : 0);

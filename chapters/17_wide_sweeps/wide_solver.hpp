@@ -1,6 +1,5 @@
 /// \file wide_solver.hpp
-/// The solver stage of the step by wide sweeps: the same rows, the same visits, in an order in which many are under way at a
-/// time.
+/// The solver stage of the step by wide sweeps: the same rows and visits, in an order in which many are under way at a time.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
@@ -80,7 +79,7 @@ struct WideSolver : PlainSolver {
     {
         if (wide.place.size() == now.rows.size() &&
             (now.substep > 0 || (now.same_rows && same_movers(now.rows, bundles))))
-            return;
+            return put_masses(bodies.inverse_mass, wide);
         require_bodies<Dof>(now.rows, bodies.count());
         bundle_rows(now.rows, bodies.count(), bundles);
         colour(bodies, now);
@@ -91,6 +90,7 @@ struct WideSolver : PlainSolver {
         colour_bundles(now.rows, bodies.count(), bundles);
         if (careless) forget_colours(bundles);
         arrange(now.rows, bodies.count(), bundles, wide);
+        put_masses(bodies.inverse_mass, wide);
     }
 
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)

@@ -35,8 +35,9 @@ inline Lanes<T, L> reach_of(const WideRow<Dof, Lanes<T, L>>* rows,
 /// \param tolerance  [m/s]
 template <int Dof, class T, int L>
 void visit_packet(const Packet<L>& packet, WideRow<Dof, Lanes<T, L>>* rows,
-                  const RowShape* shapes, T tolerance, Slot<Dof, T>* u,
-                  Lanes<T, L>& excess)
+                  const RowShape* shapes,
+                  const LaneMasses<Dof, Lanes<T, L>>& inverse, T tolerance,
+                  Slot<Dof, T>* u, Lanes<T, L>& excess)
 {
     using V = Lanes<T, L>;
     V ua[Dof], ub[Dof];
@@ -44,7 +45,8 @@ void visit_packet(const Packet<L>& packet, WideRow<Dof, Lanes<T, L>>* rows,
     gather<Dof, T, L>(u, packet.b.data(), ub);
     for (int r = 0; r < packet.rows; ++r) {
         const V reach = reach_of<Dof, T, L>(rows, shapes, r);
-        const V change = wide_visit<Dof, V>(rows[r], shapes[r], reach, ua, ub);
+        const V change =
+            wide_visit<Dof, V>(rows[r], shapes[r], reach, inverse, ua, ub);
         const V off = size_of(change) - tolerance * rows[r].mass;
         excess = at_least(excess, off);
     }
@@ -54,15 +56,22 @@ void visit_packet(const Packet<L>& packet, WideRow<Dof, Lanes<T, L>>* rows,
 }
 //! [packet]
 
+/// Nothing is done before a packet is visited.
+struct Nothing {
+    void operator()(std::size_t) const {}
+};
+
 /// A colour with fewer packets than this is visited by one thread: to wait for others would take longer.
 constexpr int shared_packets = 64;
 
 //! [sweep]
 /// Visits each row once.
 /// \param threads  that share the packets of a colour
+/// \param before   (packet number): what is done to its rows before they are visited
 /// \return         whether a row was found off by more than the tolerance
-template <int Dof, class T, int L>
-bool wide_sweep(WideRows<Dof, T, L>& all, T tolerance, int threads)
+template <int Dof, class T, int L, class Before = Nothing>
+bool wide_sweep(WideRows<Dof, T, L>& all, T tolerance, int threads,
+                const Before& before = {})
 {
     std::array<T, most_threads> excess;
     excess.fill(T{0});
@@ -76,11 +85,14 @@ bool wide_sweep(WideRows<Dof, T, L>& all, T tolerance, int threads)
             alone = !shared;
             if (shared) std::tie(first, end) = member.share(first, end);
             else if (member.number > 0) continue;
-            for (int p = first; p < end; ++p) {
-                const Packet<L>& packet = all.packets[static_cast<std::size_t>(p)];
+            for (auto p = static_cast<std::size_t>(first);
+                 p < static_cast<std::size_t>(end); ++p) {
+                before(p);
+                const Packet<L>& packet = all.packets[p];
                 const auto row = static_cast<std::size_t>(packet.first);
                 visit_packet<Dof, T, L>(packet, &all.rows[row], &all.shapes[row],
-                                        tolerance, all.u.data(), off);
+                                        all.inverse[p], tolerance, all.u.data(),
+                                        off);
             }
         }
         excess[static_cast<std::size_t>(member.number)] = largest<L>(off);
@@ -120,16 +132,14 @@ template <int Dof, class T, int L>
 void apply_impulses(WideRows<Dof, T, L>& all)
 {
     using V = Lanes<T, L>;
-    for (const Packet<L>& packet : all.packets) {
+    for (std::size_t p = 0; p < all.packets.size(); ++p) {
+        const Packet<L>& packet = all.packets[p];
         V ua[Dof], ub[Dof];
         gather<Dof, T, L>(all.u.data(), packet.a.data(), ua);
         gather<Dof, T, L>(all.u.data(), packet.b.data(), ub);
         for (int r = 0; r < packet.rows; ++r) {
             const auto& row = all.rows[static_cast<std::size_t>(packet.first + r)];
-            for (int d = 0; d < Dof; ++d) {
-                ua[d] = ua[d] + row.Wa[d] * row.lambda;
-                ub[d] = ub[d] + row.Wb[d] * row.lambda;
-            }
+            add_impulse<Dof, V>(row, all.inverse[p], row.lambda, ua, ub);
         }
         scatter<Dof, T, L>(ua, packet.a.data(), all.u.data());
         scatter<Dof, T, L>(ub, packet.b.data(), all.u.data());

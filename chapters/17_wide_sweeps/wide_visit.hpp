@@ -3,7 +3,8 @@
 ///
 ///     w = J u + b + γ λ,   λ' = clamp(λ − w / A_ii, lo − μ λ_n, hi + μ λ_n),   u ← u + M⁻¹ Jᵀ (λ' − λ)
 ///
-/// (17.3). The sums are made in the order of chapter 6, so each lane has its bits.
+/// (17.3). The sums are made in the order of chapter 6, so each lane has its bits. M⁻¹ Jᵀ is not kept but made where it is
+/// needed: a large problem is read from memory in each sweep, and numbers are made sooner than read.
 #pragma once
 
 #include "chapters/17_wide_sweeps/lanes.hpp"
@@ -11,11 +12,15 @@
 namespace rigid {
 
 //! [row]
+/// M⁻¹ of the two bodies of each lane, a diagonal [1/kg, 1/(kg m²)].
+template <int Dof, class V>
+struct LaneMasses {
+    V a[Dof] = {}, b[Dof] = {};
+};
 /// One row of each lane: the numbers of a field lie side by side.
 template <int Dof, class V>
 struct WideRow {
     V Ja[Dof], Jb[Dof];  ///< blocks of J
-    V Wa[Dof], Wb[Dof];  ///< \f$M^{-1} J^T\f$ [1/kg]
     V bias;              ///< b [m/s]
     /// 1 / A_ii [kg]; 0 = no impulse changes this row
     V mass;
@@ -44,6 +49,18 @@ inline V clamped(const WideRow<Dof, V>& row, const RowShape& shape, const V& rea
     return at_most(at_least(lambda, lo), hi);
 }
 
+/// u ← u + M⁻¹ Jᵀ Δλ
+template <int Dof, class V>
+void add_impulse(const WideRow<Dof, V>& row, const LaneMasses<Dof, V>& inverse,
+                 const V& change, V (&ua)[Dof], V (&ub)[Dof])
+{
+    for (int d = 0; d < Dof; ++d) {
+        const V Wa = inverse.a[d] * row.Ja[d], Wb = inverse.b[d] * row.Jb[d];
+        ua[d] = ua[d] + Wa * change;
+        ub[d] = ub[d] + Wb * change;
+    }
+}
+
 //! [visit]
 /// λ' of one row in each lane [N s], (17.3)
 /// \param reach   μ λ_n; zero where no other row bounds this one
@@ -69,15 +86,12 @@ V wide_lambda(const WideRow<Dof, V>& row, const RowShape& shape, const V& reach,
 /// \return  λ' − λ [N s]
 template <int Dof, class V>
 V wide_visit(WideRow<Dof, V>& row, const RowShape& shape, const V& reach,
-             V (&ua)[Dof], V (&ub)[Dof])
+             const LaneMasses<Dof, V>& inverse, V (&ua)[Dof], V (&ub)[Dof])
 {
     const V lambda = wide_lambda<Dof, V>(row, shape, reach, ua, ub);
     const V change = lambda - row.lambda;
     row.lambda = lambda;
-    for (int d = 0; d < Dof; ++d) {
-        ua[d] = ua[d] + row.Wa[d] * change;
-        ub[d] = ub[d] + row.Wb[d] * change;
-    }
+    add_impulse<Dof, V>(row, inverse, change, ua, ub);
     return change;
 }
 //! [visit]

@@ -1,13 +1,12 @@
 /// \file heap_steps.hpp
 /// A heap that moves, in small steps of its own: chapter 8's idea on chapter 17's lanes.
 ///
-///     once:   rows into lanes, C of each contact, limit and joint
-///     K ×:    u += k M⁻¹ f;  u += M⁻¹ Jᵀ λ;  two visits of each row;  x += k u, C += k J u;  one without what pushes out       (18.4a)
+///     once:   rows into lanes
+///     K ×:    u += k M⁻¹ f;  u += M⁻¹ Jᵀ λ;  two visits of each row;  x += k u;  one without what pushes out                      (18.4a)
 ///
-/// with k = h/K. J and M⁻¹ Jᵀ are those of the beginning, but for pins, whose arms turn with the bodies
-/// (turning_pins.hpp), and C goes on along J: what is left out is how normals turn and points go along their faces, of second
-/// order in how far a pair moves in the step. What moves has another λ in each step; a small step is worth more to it than a
-/// sweep.
+/// with k = h/K and C where the bodies are (turning_contacts.hpp). J is that of the beginning, but for pins, whose arms turn
+/// with the bodies (turning_pins.hpp). So M⁻¹ Jᵀ λ is what λ did to u in the small step before, and a small step begins with
+/// u + (u − u_before). What moves has another λ in each step; a small step is worth more to it than a sweep.
 ///
 /// What hangs on joints pushes nothing out, for a push that a joint holds back stays in the velocities. What it is off by,
 /// joints and overlaps, is corrected afterwards by positions alone.
@@ -97,27 +96,42 @@ private:
         const Real h = now.h / count,
                    fastest = joined ? 0 : how.fastest * now.length,
                    until = how.slow * fastest_body(now);
-        moved_.assign(wide.u.size(), {});
+        const LanePush push{how.beta / h, fastest}, none{};
+        before_ = wide.u;
         for (int n = 0; n < count; ++n) {
-            for (const int k : now.active)
-                for (int d = 0; d < 3; ++d)
-                    of(wide.u, k).u[d] +=
-                        (now.u_star[3 * k + d] - part.local.u[3 * k + d]) / count;
-            errors_.set_biases(how.beta / h, fastest, h, wide);
-            apply_impulses(wide);
-            for (int v = 0; v < how.visits; ++v) wide_sweep(wide, Real{0}, 1);
-            for (const int k : now.active)
-                for (int d = 0; d < 3; ++d)
-                    of(moved_, k).u[d] += h * of(wide.u, k).u[d];
-            errors_.follow(h, wide);
-            errors_.set_biases(0, 0, h, wide);
-            if (wide_sweep(wide, until, 1) && joined)
-                visit_on(until, (how.visits + 1) * count, now, wide);
+            begin_small_step(n > 0 && !joined, count, part, wide);
+            wide_sweep(wide, Real{0}, 1, [&](std::size_t p) {
+                errors_.set_biases(push, h, p, wide);
+            });
+            for (int v = 1; v < how.visits; ++v) wide_sweep(wide, Real{0}, 1);
+            errors_.follow(now.active, h, wide);
+            const bool off = wide_sweep(wide, until, 1, [&](std::size_t p) {
+                errors_.look(p, wide);
+                errors_.set_biases(none, h, p, wide);
+            });
+            if (off && joined) visit_on(until, (how.visits + 1) * count, now, wide);
         }
         now.visits +=
             (how.visits + 1) * count * static_cast<std::int64_t>(now.rows.size());
     }
     //! [small_steps]
+
+    //! [begin_small_step]
+    /// u += k M⁻¹ f;  u += M⁻¹ Jᵀ λ
+    /// \param goes_on  J is that of the small step before: λ does what it did there
+    void begin_small_step(bool goes_on, int count, const StepPart& part, Wide& wide)
+    {
+        for (const int k : part.now.active)
+            for (int d = 0; d < 3; ++d) {
+                Real &u = of(wide.u, k).u[d], &before = of(before_, k).u[d];
+                const Real now = u, by_force = part.now.u_star[3 * k + d] -
+                                               part.local.u[3 * k + d];
+                u += goes_on ? u - before : by_force / count;
+                before = now;
+            }
+        if (!goes_on) apply_impulses(wide);
+    }
+    //! [begin_small_step]
 
     //! [visit_on]
     /// Of a limb that is caught, more visits, until they leave no more than this [m/s].
@@ -144,10 +158,9 @@ public:
     void move(const StepPart& part, Bodies<3>& bodies) const
     {
         for (const int k : part.now.active) {
-            const auto& by = of(moved_, k).u;
             const int body = part.bodies[static_cast<std::size_t>(k)];
             bodies.position(body) = part.local.x.segment<3>(3 * k);
-            bodies.integrate(body, Vec<3>(by[0], by[1], by[2]), 1);
+            bodies.integrate(body, errors_.gone(k), 1);
         }
     }
 
@@ -172,7 +185,7 @@ private:
         const auto left_alone = [&](const Constraint<3>& c) {
             return how.left_alone(c, whole.length);
         };
-        errors_.put_in(left_alone, whole, part.rows, part.local.inverse_mass, wide);
+        errors_.put_in(left_alone, whole, part, wide);
     }
 
     /// λ of the whole sub-step, and u.
@@ -190,7 +203,7 @@ private:
     }
 
     LaneErrors errors_;
-    std::vector<Slot<3, Real>> moved_;  ///< x − x of the beginning, of each body
+    std::vector<Slot<3, Real>> before_;  ///< u as the last small step began [m/s]
 };
 
 }  // namespace rigid

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/17_wide_sweeps/wide_solver.hpp"
+#include "chapters/18_islands/turning_contacts.hpp"
 #include "chapters/18_islands/turning_pins.hpp"
 
 namespace rigid {
@@ -10,97 +11,169 @@ namespace rigid {
 /// What a small step asks of a row besides J u: its C, and what it gives back.
 template <class V>
 struct LaneError {
-    V C{};        ///< [m, rad]
-    V slop{};     ///< s/2 [m]
-    V is_gap{};   ///< 1: of a contact's normal or a limit; 0: of others
-    V is_held{};  ///< 1: of what a joint holds; 0: of others
-    V rate{};     ///< J u of what nothing moves, and b of friction [m/s]
+    int row = 0, packet = 0;  ///< of the lanes
+    V begin{};                ///< C₀ [m, rad]
+    V C{};                    ///< where the bodies are [m, rad]
+    V slop{};                 ///< s/2 [m]
+    /// 1: of a contact's normal or a limit; −1: of what a joint holds, but for pins
+    V kind{};
+    V rate{};  ///< J u of what nothing moves, and b of what has no error [m/s]
+    LaneContact<V> contact;
 };
 
-/// Those of all rows of one heap.
+/// What goes out of an overlap: so much of it a second, no faster than this [1/s, m/s].
+struct LanePush {
+    Real per_second = 0, fastest = 0;
+};
+
+/// Those of all rows of one heap that can be off.
 class LaneErrors {
     static constexpr int lanes = full_lanes<Real>;
     using V = Lanes<Real, lanes>;
     using Wide = WideRows<3, Real, lanes>;
 
 public:
-    std::vector<LaneError<V>> rows;  ///< of the lanes
-
-    LaneError<V>& at(int row) { return rows[static_cast<std::size_t>(row)]; }
+    std::vector<LaneError<V>> rows;  ///< packet after packet
+    TurningPins<lanes> pins;
 
     /// \param left_alone  s/2 of a constraint [m]
     /// \param whole  the step; row i of the lanes is its row of[i]
-    /// \param inverse_mass  of the bodies of the lanes
     template <class LeftAlone>
     void put_in(const LeftAlone& left_alone, const StepData<3>& whole,
-                const std::vector<int>& of, const VecX& inverse_mass,
-                const Wide& wide)
+                const StepPart& part, const Wide& wide)
     {
-        rows.assign(wide.rows.size(), {});
+        const std::vector<int>& of = part.rows;
+        pins.find(whole, of, wide);
+        gone_.assign(wide.u.size(), {});
+        elapsed_ = 0;
+        number_.assign(wide.rows.size(), -1);
+        const auto error_of = [&](std::size_t i) {
+            return wide.place[i].row >= 0 &&
+                   has_error(
+                       whole.constraints[static_cast<std::size_t>(of[i])].kind) &&
+                   !pins.has(wide.place[i].row, wide.place[i].lane);
+        };
+        for (std::size_t i = 0; i < of.size(); ++i)
+            if (error_of(i))
+                number_[static_cast<std::size_t>(wide.place[i].row)] = 0;
+        rows.clear();
+        speeds_.clear();
+        first_.clear();
+        for (std::size_t p = 0; p < wide.packets.size(); ++p) {
+            const Packet<lanes>& packet = wide.packets[p];
+            first_.push_back(rows.size());
+            for (int r = packet.first; r < packet.first + packet.rows; ++r) {
+                const auto at = static_cast<std::size_t>(r);
+                if (number_[at] < 0) continue;
+                number_[at] = static_cast<int>(rows.size());
+                LaneError<V>& error = rows.emplace_back();
+                error.row = r, error.packet = static_cast<int>(p);
+                error.rate = wide.rows[at].bias;
+            }
+        }
+        first_.push_back(rows.size());
         for (std::size_t i = 0; i < of.size(); ++i) {
+            if (!error_of(i)) continue;
             const auto [row, lane] = wide.place[i];
             const Constraint<3>& c =
                 whole.constraints[static_cast<std::size_t>(of[i])];
-            if (row < 0 || !has_error(c.kind)) continue;
-            LaneError<V>& error = at(row);
+            LaneError<V>& error = rows[static_cast<std::size_t>(
+                number_[static_cast<std::size_t>(row)])];
+            write_lane(error.begin, lane, c.C);
             write_lane(error.C, lane, c.C);
             write_lane(error.slop, lane, left_alone(c));
             const bool is_gap = c.kind == ConstraintKind::unilateral;
-            write_lane(is_gap ? error.is_gap : error.is_held, lane, 1);
+            write_lane(error.kind, lane, is_gap ? 1 : -1);
+            const Source& source = whole.sources[static_cast<std::size_t>(of[i])];
+            if (source.of != Source::Of::contact) continue;
+            const Packet<lanes>& packet =
+                wide.packets[static_cast<std::size_t>(error.packet)];
+            const auto l = static_cast<std::size_t>(lane);
+            write_contact(whole.contacts[static_cast<std::size_t>(source.index)],
+                          whole, part, part.now.rows[i], {packet.a[l], packet.b[l]},
+                          lane, error.contact, speeds_);
         }
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            rows[i].rate = wide.rows[i].bias;
-        pins_.find(whole, of, inverse_mass, wide);
     }
 
     //! [biases]
-    /// (18.4b): a gap may close; of an overlap so much goes out a second, no faster
-    /// than this.
-    void set_biases(Real per_second, Real fastest, Real h, Wide& wide) const
+    /// The bodies go on with the velocities that they have, for h.
+    void follow(const std::vector<int>& active, Real h, Wide& wide)
     {
-        const V none{}, step = none + h, part = none + per_second,
-                        most = none - fastest;
-        for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (const int k : active)
+            for (int d = 0; d < 3; ++d)
+                gone_[static_cast<std::size_t>(k)].u[d] +=
+                    h * wide.u[static_cast<std::size_t>(k)].u[d];
+        elapsed_ += h;
+        pins.turn(h, wide);
+    }
+    /// C of the rows of a packet where the bodies are by then, (18.9)
+    void look(std::size_t p, const Wide& wide)
+    {
+        if (first_[p] == first_[p + 1]) return;
+        V xa[3], xb[3];
+        gather<3, Real, lanes>(gone_.data(), wide.packets[p].a.data(), xa);
+        gather<3, Real, lanes>(gone_.data(), wide.packets[p].b.data(), xb);
+        for (std::size_t i = first_[p]; i < first_[p + 1]; ++i) {
+            LaneError<V>& error = rows[i];
+            const auto& row = wide.rows[static_cast<std::size_t>(error.row)];
+            V C = error.begin + error.rate * (V{} + elapsed_);
+            for (int d = 0; d < 3; ++d)
+                C = C + row.Ja[d] * xa[d] + row.Jb[d] * xb[d];
+            error.C =
+                error.contact.some ? C + turned(error.contact, row, xa, xb) : C;
+        }
+    }
+    /// (18.4b) for them: a gap may close, and an overlap goes out.
+    void set_biases(const LanePush& push, Real h, std::size_t p, Wide& wide) const
+    {
+        const V none{}, step = none + h, part = none + push.per_second,
+                        most = none - push.fastest;
+        for (std::size_t i = first_[p]; i < first_[p + 1]; ++i) {
             const LaneError<V>& error = rows[i];
             const V open = at_least(error.C, none),
                     deep = at_most(error.C + error.slop, none);
-            wide.rows[i].bias =
-                error.rate +
-                error.is_gap * (open / step + at_least(part * deep, most));
-        }
-    }
-    /// C ← C + h J u, with the mean of a pin's J before and after
-    void follow(Real h, Wide& wide)
-    {
-        std::size_t pin = 0;
-        for (const Packet<lanes>& packet : wide.packets) {
-            V ua[3], ub[3];
-            gather<3, Real, lanes>(wide.u.data(), packet.a.data(), ua);
-            gather<3, Real, lanes>(wide.u.data(), packet.b.data(), ub);
-            for (int r = packet.first; r < packet.first + packet.rows; ++r) {
-                const auto& row = wide.rows[static_cast<std::size_t>(r)];
-                V speed = at(r).rate;
-                for (int d = 0; d < 3; ++d)
-                    speed = speed + row.Ja[d] * ua[d] + row.Jb[d] * ub[d];
-                at(r).C = at(r).C + speed * (V{} + h);
-            }
-            pins_.turn(pin, packet, ua[2], ub[2], h, wide,
-                       [&](int r, const V& gone) { at(r).C = at(r).C + gone; });
+            wide.rows[static_cast<std::size_t>(error.row)].bias =
+                error.rate + at_least(error.kind, none) *
+                                 (open / step + at_least(part * deep, most));
         }
     }
     //! [biases]
+
+    /// How far body k has gone since the step began [m, rad]
+    Vec<3> gone(int k) const
+    {
+        const auto& by = gone_[static_cast<std::size_t>(k)].u;
+        return {by[0], by[1], by[2]};
+    }
 
     /// The most that a joint is off by [m, rad]
     Real open_by() const
     {
         V open{};
         for (const LaneError<V>& error : rows)
-            open = at_least(error.is_held * size_of(error.C), open);
-        return largest<lanes>(open);
+            open = at_least(-error.kind * size_of(error.C), open);
+        return std::max(largest<lanes>(open), pins.open_by());
     }
 
 private:
-    TurningPins<lanes> pins_;
+    /// \param xa, xb  Δx of what impulses move
+    V turned(const LaneContact<V>& contact, const WideRow<3, V>& row,
+             const V (&xa)[3], const V (&xb)[3]) const
+    {
+        const V n[2] = {row.Jb[0], row.Jb[1]};
+        V x1[3] = {contact.both * xa[0], contact.both * xa[1],
+                   contact.both * xa[2]};
+        for (int i = 0; contact.driven >= 0 && i < 3; ++i)
+            x1[i] = x1[i] + speeds_[static_cast<std::size_t>(contact.driven)].u[i] *
+                                elapsed_;
+        return turned_gap(contact, n, x1, xb);
+    }
+
+    std::vector<LaneSpeed<V>> speeds_;  ///< of what is driven
+    std::vector<std::size_t> first_;    ///< of each packet, in `rows`
+    std::vector<int> number_;  ///< in `rows`, of each row of the lanes; −1
+    std::vector<Slot<3, Real>> gone_;  ///< Δx of each body
+    Real elapsed_ = 0;                 ///< [s]
 };
 
 }  // namespace rigid

@@ -37,77 +37,119 @@ class TurningPins {
 
 public:
     /// \param whole  the step; row i of the lanes is its row rows[i]
-    /// \param inverse_mass  of the bodies of the lanes
     void find(const StepData<3>& whole, const std::vector<int>& rows,
-              const VecX& inverse_mass, const Wide& wide)
+              const Wide& wide)
     {
-        is_pin_.assign(wide.rows.size(), V{});
+        of_row_.assign(wide.rows.size(), -1);
+        pins_.clear();
         for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
             const auto [row, lane] = wide.place[i];
             const auto [next, same] = wide.place[i + 1];
             // two joints of one pair of bodies may have a pin in two bundles
-            if (row >= 0 && next == row + 1 && same == lane &&
-                is_pin(whole, rows[i]))
-                write_lane(is_pin_[static_cast<std::size_t>(row)], lane, 1);
-        }
-        pins_.clear();
-        for (const Packet<L>& packet : wide.packets)
-            for (int r = packet.first; r < packet.first + packet.rows; ++r) {
-                const V& is = is_pin_[static_cast<std::size_t>(r)];
-                if (!(largest<L>(is) > 0)) continue;
-                Pin& pin = pins_.emplace_back(Pin{r, is});
-                const auto& x = wide.rows[static_cast<std::size_t>(r)];
-                for (int d = 0; d < 2; ++d)
-                    pin.line = pin.line + x.Ja[d] * x.Wa[d] + x.Jb[d] * x.Wb[d];
-                for (int k = 0; k < L; ++k) {
-                    const auto spin = [&](int body) {  // of an empty lane: none
-                        const Index at = 3 * static_cast<Index>(body) + 2;
-                        return at < inverse_mass.size() ? inverse_mass[at] : 0;
-                    };
-                    const auto at = static_cast<std::size_t>(k);
-                    write_lane(pin.spin_a, k, spin(packet.a[at]));
-                    write_lane(pin.spin_b, k, spin(packet.b[at]));
-                }
+            if (row < 0 || next != row + 1 || same != lane ||
+                !is_pin(whole, rows[i]))
+                continue;
+            int& number = of_row_[static_cast<std::size_t>(row)];
+            if (number < 0) {
+                number = static_cast<int>(pins_.size());
+                pins_.push_back({row, packet_of(row, wide)});
             }
+            Pin& pin = pins_[static_cast<std::size_t>(number)];
+            write_lane(pin.is_pin, lane, 1);
+            for (std::size_t n = 0; n < 2; ++n)
+                write_lane(
+                    pin.C[n], lane,
+                    whole.constraints[static_cast<std::size_t>(rows[i + n])].C);
+        }
+        for (Pin& pin : pins_) {
+            const auto& x = wide.rows[static_cast<std::size_t>(pin.row)];
+            const auto& m = wide.inverse[static_cast<std::size_t>(pin.packet)];
+            for (int d = 0; d < 2; ++d)
+                pin.line = pin.line + x.Ja[d] * (m.a[d] * x.Ja[d]) +
+                           x.Jb[d] * (m.b[d] * x.Jb[d]);
+            for (std::size_t n = 0; n < 2; ++n)
+                pin.rate[n] = wide.rows[static_cast<std::size_t>(pin.row) + n].bias;
+        }
     }
 
-    /// Turns the pins of a packet.
-    /// \param next  the first of them; the first of the next packet afterwards
-    /// \param k     the small step [s]
-    /// \param move  (row, C that its arms have gone besides k J u)
-    template <class Move>
-    void turn(std::size_t& next, const Packet<L>& packet, const V& spin_a,
-              const V& spin_b, Real k, Wide& wide, const Move& move) const
+    /// Whether a row is one of a pin.
+    bool has(int row, int lane_of) const
     {
-        for (; next < pins_.size() && pins_[next].row < packet.first + packet.rows;
-             ++next) {
-            const Pin& pin = pins_[next];
+        for (const int x : {row, row - 1}) {
+            const int n = x < 0 ? -1 : of_row_[static_cast<std::size_t>(x)];
+            if (n >= 0 &&
+                lane(pins_[static_cast<std::size_t>(n)].is_pin, lane_of) > 0)
+                return true;
+        }
+        return false;
+    }
+
+    /// The bodies go on with the velocities u for k, and the pins turn with them.
+    /// \param k  the small step [s]
+    void turn(Real k, Wide& wide)
+    {
+        for (Pin& pin : pins_) {
+            const auto p = static_cast<std::size_t>(pin.packet);
+            V ua[3], ub[3];
+            gather<3, Real, L>(wide.u.data(), wide.packets[p].a.data(), ua);
+            gather<3, Real, L>(wide.u.data(), wide.packets[p].b.data(), ub);
             auto* rows = &wide.rows[static_cast<std::size_t>(pin.row)];
-            V gone[2] = {};
-            turn(pin.is_pin * spin_a * (V{} + k / 2), rows[0].Ja[2], rows[1].Ja[2],
-                 gone);
-            turn(pin.is_pin * spin_b * (V{} + k / 2), rows[0].Jb[2], rows[1].Jb[2],
-                 gone);
+            V gone[2];
             for (int n = 0; n < 2; ++n) {
+                gone[n] = pin.rate[n];
+                for (int d = 0; d < 3; ++d)
+                    gone[n] =
+                        gone[n] + rows[n].Ja[d] * ua[d] + rows[n].Jb[d] * ub[d];
+                gone[n] = gone[n] * (V{} + k);
+            }
+            const V half = V{} + k / 2;
+            turn(pin.is_pin * ua[2] * half, rows[0].Ja[2], rows[1].Ja[2], gone);
+            turn(pin.is_pin * ub[2] * half, rows[0].Jb[2], rows[1].Jb[2], gone);
+            const V spin_a = wide.inverse[p].a[2], spin_b = wide.inverse[p].b[2];
+            for (int n = 0; n < 2; ++n) {
+                pin.C[n] = pin.C[n] + gone[n];
                 auto& row = rows[n];
-                const V Wa = row.Ja[2] * pin.spin_a, Wb = row.Jb[2] * pin.spin_b;
-                const V A = pin.line + row.Ja[2] * Wa + row.Jb[2] * Wb;
-                row.Wa[2] = pin.is_pin > 0 ? Wa : row.Wa[2];
-                row.Wb[2] = pin.is_pin > 0 ? Wb : row.Wb[2];
+                const V A = pin.line + row.Ja[2] * (row.Ja[2] * spin_a) +
+                            row.Jb[2] * (row.Jb[2] * spin_b);
                 row.mass = pin.is_pin * row.mass > 0 ? 1 / A : row.mass;
-                move(pin.row + n, gone[n]);
             }
         }
     }
     //! [pins]
 
+    std::size_t count() const { return pins_.size(); }
+    /// How far a pin is open [m]
+    Vec2 open(std::size_t pin, int lane_of) const
+    {
+        const V(&C)[2] = pins_[pin].C;
+        return {lane(C[0], lane_of), lane(C[1], lane_of)};
+    }
+    /// The most that any is open by [m]
+    Real open_by() const
+    {
+        V open{};
+        for (const Pin& pin : pins_)
+            for (const V& C : pin.C) open = at_least(pin.is_pin * size_of(C), open);
+        return largest<L>(open);
+    }
+
 private:
     struct Pin {
-        int row;               ///< of x; that of y follows
-        V is_pin;              ///< 1, or 0 in lanes of others
-        V line{};              ///< m_a⁻¹ + m_b⁻¹ [1/kg]
-        V spin_a{}, spin_b{};  ///< I⁻¹ [1/(kg m²)]
+        int row;      ///< of x; that of y follows
+        int packet;   ///< of both
+        V is_pin{};   ///< 1, or 0 in lanes of others
+        V line{};     ///< m_a⁻¹ + m_b⁻¹ [1/kg]
+        V C[2]{};     ///< [m]
+        V rate[2]{};  ///< J u of what nothing moves [m/s]
     };
+
+    static int packet_of(int row, const Wide& wide)
+    {
+        const auto after = std::upper_bound(
+            wide.packets.begin(), wide.packets.end(), row,
+            [](int r, const Packet<L>& packet) { return r < packet.first; });
+        return static_cast<int>(after - wide.packets.begin()) - 1;
+    }
 
     /// (18.8)
     /// \param t     k ω/2
@@ -122,7 +164,7 @@ private:
     }
 
     std::vector<Pin> pins_;
-    std::vector<V> is_pin_;  ///< of each row
+    std::vector<int> of_row_;  ///< the pin of each row; −1: it is no pin's x
 };
 
 }  // namespace rigid

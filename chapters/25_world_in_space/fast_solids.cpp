@@ -81,12 +81,29 @@ void stop_fast_solids(SpaceScene& scene, const StepSettings& settings,
         return (fast.low[i].array() <= fast.high[j].array()).all() &&
                (fast.low[j].array() <= fast.high[i].array()).all();
     };
-    // of what is close already, only that it gets deeper than half its inner radius,
-    // or than it is by an eighth
-    const auto search = [&](Real inner, const auto& until) {
+    // whether it is where contacts were found, and goes no farther than it is long
+    const auto stays_near = [&](const MovingSolid& m) {
+        const auto k = static_cast<std::size_t>(m.forms - near.forms.data());
+        const auto body = static_cast<Index>(k);
+        if (m.from != centre_of(now.x_found, body) ||
+            m.R != rotation_of(now.x_found, body))
+            return false;
+        Real turns = 0;
+        for (const SolidForm& form : *m.forms)
+            turns = std::max(turns, turning(m, form));
+        return m.way.norm() + turns <= 2 * near.reach[k];
+    };
+    // within this its row was looked for
+    const auto row_within = [&](const MovingSolid& m) {
+        return near.ahead_of[static_cast<std::size_t>(m.forms - near.forms.data())];
+    };
+    // of what has its row, or is close already, only that it gets deeper than half its
+    // inner radius, or than it is by an eighth
+    const auto search = [&](Real inner, Real held_within, const auto& until) {
         Impact impact = until(margin / 4, margin / 4);
         fast.rounds += impact.rounds;
-        if (impact.close && inner > 0) {
+        const bool held = impact.hit && impact.start < held_within;
+        if ((held || impact.close) && inner > 0) {
             const Real deep = std::min(-inner / 2, impact.start - inner / 8);
             impact = until(deep, inner / 16);
             fast.rounds += impact.rounds;
@@ -99,12 +116,17 @@ void stop_fast_solids(SpaceScene& scene, const StepSettings& settings,
     const auto first_impact = [&](const MovingSolid& a, const MovingSolid& b,
                                   Real inner) {
         Impact first;
+        const Real held_within = stays_near(a) && stays_near(b)
+                                     ? margin + row_within(a) + row_within(b)
+                                     : -infinity;
         for (const SolidForm& p : *a.forms)
             for (const SolidForm& q : *b.forms)
-                earlier(first, search(inner, [&](Real target, Real tolerance) {
-                            return time_of_impact(a, p, b, q, target, tolerance,
-                                                  fast.memory);
-                        }));
+                earlier(first, search(inner, held_within,
+                                      [&](Real target, Real tolerance) {
+                                          return time_of_impact(a, p, b, q, target,
+                                                                tolerance,
+                                                                fast.memory);
+                                      }));
         return first;
     };
     const auto part_of = [&](int k) -> Real& {
@@ -120,12 +142,14 @@ void stop_fast_solids(SpaceScene& scene, const StepSettings& settings,
             if (!fast.is_fast[static_cast<std::size_t>(b)] && may_meet(a, b))
                 hold(a, first_impact(m, motion(b),
                                      std::max(fast.inner[at], inner_of(b))));
+        const Real held_within = stays_near(m) ? margin + row_within(m) : -infinity;
         for (const SolidWall& wall : scene.walls)
             for (const SolidForm& form : forms(a))
-                hold(a, search(fast.inner[at], [&](Real target, Real tolerance) {
-                         return time_of_impact(wall, m, form, target, tolerance,
-                                               fast.memory);
-                     }));
+                hold(a, search(fast.inner[at], held_within,
+                               [&](Real target, Real tolerance) {
+                                   return time_of_impact(wall, m, form, target,
+                                                         tolerance, fast.memory);
+                               }));
         for (const auto& mesh : scene.meshes) {
             mesh->near({fast.low[at], fast.high[at]}, fast.ground.stack,
                        fast.ground.near);

@@ -4,8 +4,9 @@
 ///     fast:   ‖Δc‖ + max ‖δ × p̄‖ > ½ ρ,   ρ the inner radius
 ///     stopped at τ:   ω = I⁻¹ R(τ)ᵀ R(1) I ω,  the angular momentum stays;   v by (12.10)                (25.8)
 ///
-/// As in chapter 12, whose rounds for fast bodies among each other are used. What hangs on a joint is never stopped: that
-/// would tear it off.
+/// As in chapter 12, whose rounds for fast bodies among each other are used. What was so near that it has a row in the step,
+/// and goes no farther than it is long, is held by it: it is only stopped where it gets half its inner radius deep. What hangs
+/// on a joint is never stopped: that would tear it off.
 #pragma once
 
 #include "chapters/12_contact_manifolds/fast_bodies.hpp"

@@ -5,9 +5,7 @@
 /// made where it is needed, from J and the inverse masses of the two bodies: 17 numbers a row to read, where SolverRow has 29.
 #pragma once
 
-#include "chapters/17_wide_sweeps/lanes.hpp"
-
-#include <cstring>
+#include "chapters/17_wide_sweeps/wide_rows.hpp"
 
 namespace rigid {
 
@@ -77,18 +75,6 @@ inline V visit(LaneRow<V>& row, const V& lo, const V& hi,
     row.lambda = lambda;
     push(row, change, inverse, u);
     return change;
-}
-
-/// √x of each lane.
-template <class V>
-inline V root_of(const V& x)
-{
-    Eigen::Array<Real, sizeof(V) / sizeof(Real), 1> numbers;
-    std::memcpy(numbers.data(), &x, sizeof(V));
-    numbers = numbers.sqrt();
-    V root;
-    std::memcpy(&root, numbers.data(), sizeof(V));
-    return root;
 }
 
 template <class Mask>

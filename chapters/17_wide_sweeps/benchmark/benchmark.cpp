@@ -47,11 +47,11 @@ Real best_of(const Work& work)
     return best;
 }
 
-/// Of a visit: w 12 and b 1, λ 2, clamp 2, Δλ 1, u 12, the test 4; half of the rows have friction, 4.
-constexpr Real flops = 36;
-/// 17 numbers read and one written; μ in every second row.
+/// Of a visit: w 12 and b 1, λ 2, clamp 2, Δλ 1, u 12, the test 4; half of the rows have friction, 4. In lanes W, 6.
+constexpr Real flops = 36, flops_in_lanes = 42;
+/// 11 numbers read and one written; μ in every second row, and six inverse masses for each four.
 template <class T>
-constexpr Real bytes = 18.5 * sizeof(T);
+constexpr Real bytes = 14 * sizeof(T);
 
 /// A table has the same columns in each line.
 void no_counters(benchmark::State& state)
@@ -61,7 +61,7 @@ void no_counters(benchmark::State& state)
         state.counters[name] = 0;
 }
 
-void report(benchmark::State& state, Real ns, Real bytes_a_visit)
+void report(benchmark::State& state, Real ns, Real bytes_a_visit, Real flops)
 {
     state.counters["ns"] = ns;
     state.counters["flops"] = flops;
@@ -83,7 +83,7 @@ void chapter_6(benchmark::State& state, Order kind)
     Real best = 0;
     for (auto _ : state) best = best_of([&] { sweep(memory, Real{0}); });
     report(state, best * 1e9 / static_cast<Real>(all.rows.size()),
-           sizeof(SolverRow<3>) + sizeof(Feedback));
+           sizeof(SolverRow<3>) + sizeof(Feedback), flops);
 }
 
 template <class T, int L>
@@ -97,6 +97,7 @@ struct Wide {
         bundle_rows(all.rows, all.bodies, bundles);
         colour_bundles(all.rows, all.bodies, bundles);
         arrange(all.rows, all.bodies, bundles, rows);
+        put_masses(all.inverse_mass, rows);
         load();
     }
     void load()
@@ -117,7 +118,7 @@ void wide(benchmark::State& state)
     Wide<T, L> problem(static_cast<int>(state.range(0)));
     Real ns = 0;
     for (auto _ : state) ns = problem.ns(1);
-    report(state, ns, bytes<T>);
+    report(state, ns, bytes<T>, flops_in_lanes);
     state.counters["lanes"] = L;
 }
 
@@ -130,7 +131,7 @@ void by_threads(benchmark::State& state)
         one = problem.ns(1);
         ns = problem.ns(static_cast<int>(state.range(0)));
     }
-    report(state, ns, bytes<T>);
+    report(state, ns, bytes<T>, flops_in_lanes);
     state.counters["times"] = one / ns;
 }
 
@@ -159,6 +160,7 @@ void prepare(benchmark::State& state, const std::string& what)
                 colour_bundles(all.rows, all.bodies, problem.bundles);
             if (what == "arrange")
                 arrange(all.rows, all.bodies, problem.bundles, problem.rows);
+            if (what == "masses") put_masses(all.inverse_mass, problem.rows);
             if (what == "fill") problem.load();
         });
     state.counters["ns"] = best * 1e9 / m;
@@ -233,8 +235,8 @@ const bool registered = [] {
         named("threads/doubles", by_threads<Real, D>)->Arg(threads)->Apply(once);
         named("threads/floats", by_threads<float, F>)->Arg(threads)->Apply(once);
     }
-    for (const char* what :
-         {"as_they_come", "chapter_6", "bundle", "colour", "arrange", "fill"})
+    for (const char* what : {"as_they_come", "chapter_6", "bundle", "colour",
+                             "arrange", "masses", "fill"})
         named(std::string("prepare/") + what, [what](auto& s) {
             prepare(s, what);
         })->Apply(once);
