@@ -16,8 +16,10 @@ mkdir -p "$out"
 out=$(cd "$out" && pwd)
 cd "$root"
 eigen=$(pkg-config --cflags eigen3)
-fresh() { [ -f "$1" ] && [ -z "$(find chapters common -newer "$1" \( -name '*.hpp' -o -name '*.cpp' \) -path '*[16]*' | grep -E 'chapters/(02|03|06|16)|common/' | head -n 1)" ]; }
+fresh() { [ -f "$1" ] && [ -z "$(find chapters common -newer "$1" \( -name '*.hpp' -o -name '*.cpp' \) | grep -E 'chapters/(02|03|06|17)|common/' | head -n 1)" ]; }
 
+sources="$here/benchmark.cpp chapters/17_wide_sweeps/brick_rows.cpp chapters/02_velocity_constraints/row_checks.cpp"
+for name in sequential_impulse solver_row row_order feedback; do sources="$sources chapters/06_sequential_impulse/$name.cpp"; done
 # one source is the team, whoever compiles the rest
 fresh "$out/team.o" || g++ -std=c++20 -O2 -fopenmp -DRIGID_HAS_TEAM -I. -c chapters/17_wide_sweeps/team.cpp -o "$out/team.o"
 for compiler in g++ clang++; do
@@ -29,7 +31,7 @@ for compiler in g++ clang++; do
         program=$out/benchmark_${compiler}_$build
         # shellcheck disable=SC2086
         fresh "$program" || $compiler -std=c++20 -DNDEBUG -DRIGID_HAS_TEAM $flags -ffp-contract=off -I. $eigen \
-            "$here/benchmark.cpp" "$out/team.o" -lbenchmark -lpthread -lgomp -o "$program"
+            $sources "$out/team.o" -lbenchmark -lpthread -lgomp -o "$program"
         [ -n "$only" ] || "$program" --benchmark_out="$out/${compiler}_$build.csv" --benchmark_out_format=csv >&2
     done
 done
