@@ -366,8 +366,8 @@ TEST_CASE("in small steps the error of a contact is its gap however a pair turns
         contact.point = {some(2), some(2)};
         contact.gap = some(0.1), contact.core_a = 0.1, contact.core_b = round % 2 ? 0.2 : 0;
         if (contact.a != world)
-            contact.normal_of =
-                std::array{NormalOf::fixed, NormalOf::a, NormalOf::b, NormalOf::centres}[random.index(4)];
+            contact.normal_of = std::array{NormalOf::fixed, NormalOf::a, NormalOf::b,
+                                           NormalOf::centres}[static_cast<std::size_t>(random.index(4))];
         StepData<3> whole;
         StepPart part;
         part.local = Bodies<3>(2);
