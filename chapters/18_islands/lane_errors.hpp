@@ -106,7 +106,7 @@ public:
         elapsed_ += h;
         pins.turn(h, wide);
     }
-    /// C of the rows of a packet where the bodies are by then, (18.9)
+    /// C of the rows of a packet where the bodies are by then, (18.8)
     void look(std::size_t p, const Wide& wide)
     {
         if (first_[p] == first_[p + 1]) return;

@@ -1,7 +1,7 @@
 /// \file turning_contacts.hpp
 /// Contacts in small steps: their normals turn as those of (12.4) do, so that C is the gap, however far a pair has turned.
 ///
-///     C = C₀ + J Δx + n·(e_b − e_a) + (n' − n)·d' − Δθ n⊥·d,    e = (R − 1) r − θ r⊥                                  (18.9)
+///     C = C₀ + J Δx + n·(e_b − e_a) + (n' − n)·d' − Δθ n⊥·d,    e = (R − 1) r − θ r⊥                                  (18.8)
 ///
 /// for an arm r of a body that has turned by θ, and d = p_b − p_a. J stays as it was when the step began. What it is off by is
 /// of first order in how far a pair has turned, and the C of the next small step makes up for it.
@@ -37,25 +37,6 @@ struct LaneSpeed {
 };
 //! [contact]
 
-/// Where a body has the point of a contact.
-struct ContactSide {
-    Vec2 r, p;  ///< from its centroid, and in the world [m]
-    bool turns_normal;
-};
-
-/// \param core  against or along the normal, to what turns with the body [m]
-/// \param x     of the body, and x_found of it; null: it is the world
-inline ContactSide side_of(const Contact& contact, Real core, bool turns_normal,
-                           const Vec<3>* x_found, const Vec<3>* x)
-{
-    const Vec2 point = contact.point + core * contact.normal;
-    if (!x) return {Vec2(0, 0), point, false};
-    const Vec2 then = point - x_found->head<2>();
-    const auto [s, c] = sine_and_cosine((*x)[2] - (*x_found)[2]);
-    const Vec2 r = c * then + s * perpendicular(then);
-    return {r, x->head<2>() + r, turns_normal};
-}
-
 //! [write]
 /// A contact into its lane.
 /// \param row     of it in the part
@@ -67,16 +48,22 @@ void write_contact(const Contact& contact, const StepData<3>& whole,
                    std::pair<int, int> places, int lane, LaneContact<V>& out,
                    std::vector<LaneSpeed<V>>& speeds)
 {
+    struct Side {
+        Vec2 r, p;  // from the centroid to the point, and where that is
+        bool turns_normal;
+    };
     const auto side = [&](Index in_scene, Index in_part, Real core, NormalOf own) {
-        const bool turns = contact.normal_of == own;
-        if (in_part == world)
-            return side_of(contact, core, turns, nullptr, nullptr);
+        const Vec2 point = contact.point + core * contact.normal;
+        if (in_part == world) return Side{Vec2(0, 0), point, false};
         const Vec<3> found = whole.x_found.segment<3>(3 * in_scene),
                      x = part.local.x.segment<3>(3 * in_part);
-        return side_of(contact, core, turns, &found, &x);
+        const Vec2 then = point - found.head<2>();
+        const auto [s, c] = sine_and_cosine(x[2] - found[2]);
+        const Vec2 r = c * then + s * perpendicular(then);
+        return Side{r, x.head<2>() + r, contact.normal_of == own};
     };
-    ContactSide first = side(contact.a, row.a, -contact.core_a, NormalOf::a),
-                second = side(contact.b, row.b, contact.core_b, NormalOf::b);
+    Side first = side(contact.a, row.a, -contact.core_a, NormalOf::a),
+         second = side(contact.b, row.b, contact.core_b, NormalOf::b);
     const bool swapped = places.second != row.b,
                both = places.first != places.second;
     if (swapped) std::swap(first, second);
@@ -129,7 +116,7 @@ struct TurnedArm {
     }
 };
 
-/// (18.9) without C₀ + J Δx.
+/// (18.8) without C₀ + J Δx.
 /// \param n       when the step began
 /// \param x1, x2  Δx of the two bodies
 template <class V>

@@ -3,7 +3,7 @@
 ///
 /// The two rows of a pin, along x and y, have J_θ = (−r_y, r_x): the arm r, turned by a quarter. It turns as the body does,
 ///
-///     (X, Y) ← (c X − s Y, s X + c Y),    c = (1 − t²)/(1 + t²),  s = 2t/(1 + t²),  t = k ω/2                       (18.8)
+///     (X, Y) ← (c X − s Y, s X + c Y),    c = (1 − t²)/(1 + t²),  s = 2t/(1 + t²),  t = k ω/2                       (18.9)
 ///
 /// by the angle 2 arctan t = k ω − (k ω)³/12 …, and r goes by k ω times the mean of both J_θ, exactly.
 #pragma once
@@ -151,7 +151,7 @@ private:
         return static_cast<int>(after - wide.packets.begin()) - 1;
     }
 
-    /// (18.8)
+    /// (18.9)
     /// \param t     k ω/2
     /// \param gone  k ω times half of what J_θ has become more [m]
     static void turn(const V& t, V& X, V& Y, V (&gone)[2])

@@ -81,21 +81,23 @@ void stop_fast_solids(SpaceScene& scene, const StepSettings& settings,
         return (fast.low[i].array() <= fast.high[j].array()).all() &&
                (fast.low[j].array() <= fast.high[i].array()).all();
     };
+    const auto number_of = [&](const MovingSolid& m) {
+        return static_cast<std::size_t>(m.forms - near.forms.data());
+    };
     // whether it is where contacts were found, and goes no farther than it is long
     const auto stays_near = [&](const MovingSolid& m) {
-        const auto k = static_cast<std::size_t>(m.forms - near.forms.data());
-        const auto body = static_cast<Index>(k);
+        const auto body = static_cast<Index>(number_of(m));
         if (m.from != centre_of(now.x_found, body) ||
             m.R != rotation_of(now.x_found, body))
             return false;
         Real turns = 0;
         for (const SolidForm& form : *m.forms)
             turns = std::max(turns, turning(m, form));
-        return m.way.norm() + turns <= 2 * near.reach[k];
+        return m.way.norm() + turns <= 2 * near.reach[number_of(m)];
     };
     // within this its row was looked for
     const auto row_within = [&](const MovingSolid& m) {
-        return near.ahead_of[static_cast<std::size_t>(m.forms - near.forms.data())];
+        return near.ahead_of[number_of(m)];
     };
     // of what has its row, or is close already, only that it gets deeper than half its
     // inner radius, or than it is by an eighth
