@@ -444,7 +444,7 @@ TEST_CASE("a heap of bodies of several shapes goes by small steps like any other
 TEST_CASE("what is entangled from the beginning is not thrown away by its overlaps", "[house]")
 {
     // crosses that begin in one another fly to one place: overlaps that work against each other
-    for (const std::uint64_t seed : {3, 4, 5, 6})
+    for (const std::uint64_t seed : {3U, 4U, 5U, 6U})
         for (const int substeps : {1, 4}) {
             World engine({.gravity = {0, 0}, .substeps = substeps});
             Random random(seed);

@@ -111,10 +111,10 @@ private:
         case 0:
         case 1:
             if (all.size() < 7) {
-                const BodyDefinition body = some_body();
+                const BodyDefinition added = some_body();
                 const std::vector<ShapeDefinition> more =
                     one_of(3) ? some_shapes() : std::vector<ShapeDefinition>{};
-                attempt([&] { world_.add_body(body, more); });
+                attempt([&] { world_.add_body(added, more); });
             }
             break;
         case 2:

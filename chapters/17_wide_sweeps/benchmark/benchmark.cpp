@@ -61,12 +61,12 @@ void no_counters(benchmark::State& state)
         state.counters[name] = 0;
 }
 
-void report(benchmark::State& state, Real ns, Real bytes_a_visit, Real flops)
+void report(benchmark::State& state, Real ns, Real bytes_a_visit, Real flops_a_visit)
 {
     state.counters["ns"] = ns;
-    state.counters["flops"] = flops;
+    state.counters["flops"] = flops_a_visit;
     state.counters["bytes"] = bytes_a_visit;
-    state.counters["gflops"] = flops / ns;
+    state.counters["gflops"] = flops_a_visit / ns;
 }
 
 void chapter_6(benchmark::State& state, Order kind)
