@@ -15,7 +15,7 @@ if(NOT MSVC)
   target_compile_options(rigid_test_options INTERFACE $<$<CONFIG:Release>:-O1>)
 endif()
 
-add_library(rigid_test_main STATIC tests/test_main.cpp)
+add_library(rigid_test_main STATIC tests/test_main.cpp tests/eigenvalues.cpp)
 target_link_libraries(rigid_test_main PUBLIC Catch2::Catch2 rigid_common rigid_test_options)
 target_compile_definitions(rigid_test_main PUBLIC RIGID_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 set_source_files_properties(tests/test_main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)   # it makes Catch2's own code

@@ -8,8 +8,9 @@
 #include "common/measure.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/eigenvalues.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 namespace rigid::loops_tests {
 
@@ -58,8 +59,6 @@ MatX sweep_matrix(const MatX& A, bool way)
     if (way == backwards) triangle = A.triangularView<Eigen::Upper>();
     return MatX::Identity(A.rows(), A.cols()) - triangle.partialPivLu().solve(A);
 }
-
-Eigen::VectorXcd modes_of(const MatX& matrix) { return Eigen::EigenSolver<MatX>(matrix).eigenvalues(); }
 
 /// The greatest rise of the kinetic energy above an earlier value, as a part of what there was at the beginning.
 template <class Step>
@@ -147,7 +146,7 @@ TEST_CASE(
         const MatX G = sweep_matrix(A, forwards);
         const Real theory = memory_rate(G);
         bool all_settle = true, complex = false;
-        const Eigen::VectorXcd modes = modes_of(G);
+        const Eigen::VectorXcd modes = eigenvalues(G);
         for (const std::complex<Real>& mode : modes) {
             CHECK(std::abs(mode) < 1);  // the sweeps alone converge
             all_settle = all_settle && memory_settles(mode);
@@ -182,7 +181,7 @@ TEST_CASE("a sweep there and back has real modes from 0 to 1 so that memory sett
         cold(scene);
         const MatX A = matrix_of(cold.now.rows, {}, scene.bodies.u.size());
         const MatX there = sweep_matrix(A, forwards), back = sweep_matrix(A, backwards);
-        const Eigen::VectorXcd once = modes_of(there), twice = modes_of(back * there);
+        const Eigen::VectorXcd once = eigenvalues(there), twice = eigenvalues(back * there);
         for (const std::complex<Real>& mode : once) complex_modes += std::abs(mode.imag()) > 1e-6 ? 1 : 0;
         CAPTURE(sample);
         for (const std::complex<Real>& mode : twice) {

@@ -6,8 +6,6 @@
 #include "tests/catch.hpp"
 #include "tests/solids.hpp"
 
-#include <Eigen/Eigenvalues>
-
 using namespace rigid;
 
 namespace {

@@ -61,7 +61,8 @@ void no_counters(benchmark::State& state)
         state.counters[name] = 0;
 }
 
-void report(benchmark::State& state, Real ns, Real bytes_a_visit, Real flops_a_visit)
+void report(benchmark::State& state, Real ns, Real bytes_a_visit,
+            Real flops_a_visit)
 {
     state.counters["ns"] = ns;
     state.counters["flops"] = flops_a_visit;
