@@ -78,7 +78,7 @@ TEST_CASE("a heap that something keeps moving stands as if nothing did", "[idea]
         Real moved = 0;
         for (Index k = 0; k < boxes; ++k)
             moved = std::max(moved, (run.position(k) - before.segment<2>(3 * k)).norm());
-        CHECK(moved < 2e-5);  // 6e-6 in nine seconds; 9e-3 where it is swept until (18.5)
+        CHECK(moved < 2e-5);  // 7e-6 in nine seconds; 9e-3 where it is swept until (18.5)
     }
 }
 
@@ -103,8 +103,8 @@ TEST_CASE("two heaps that meet in the air keep their momentum and gain no energy
             run.step();
             const Vec<4> now = motion_of(run.scene.bodies);
             CHECK((now - begin).head<2>().norm() < 1e-10);
-            // its arms are those of the beginning of the step: h v of them is off
-            CHECK(std::abs(now[2] - begin[2]) < 1e-2 * std::abs(begin[3]));
+            // 8e-5 with one sub-step, 5e-3 with four; 0.06 with the arms of the beginning of the step
+            CHECK(std::abs(now[2] - begin[2]) < 1e-4 * std::abs(begin[3]));
             CHECK(now[3] < energy + 1e-3 * begin[3]);
             energy = now[3];
             stepped += run.method.solver.stepped_count;
@@ -181,7 +181,8 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
     }
 
     const auto& lanes = choice.wide.all.front();
-    const std::vector<int> order = visiting_order(lanes.solver.wide);
+    const auto& wide = lanes.solver.wide;
+    const std::vector<int> order = visiting_order(wide);
     const HeapSteps how;
     const int count = how.count(7);
     const Real h = frame / count;
@@ -193,10 +194,19 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
     lambda *= part;
     clamp_start(now.rows, lambda);
     for (Index i = 0; i < C.size(); ++i) C[i] = now.constraints[static_cast<std::size_t>(i)].C;
-    const auto visit = [&](bool pushes) {
+    std::vector<Row<3>> rows = now.rows;  // they turn
+    Real until = how.slowest * now.length;
+    for (const int k : now.active) until = std::max(until, how.slow * now.u_star.segment<2>(3 * k).norm());
+    // of each body the last pass that changed it by more
+    std::vector<int> since(static_cast<std::size_t>(theirs.count()), 0);
+    int pass = 0;
+    const auto visit = [&](const auto& packet, bool pushes) {
+        bool off = false;
         for (const int in_part : order) {
+            const int place = wide.place[static_cast<std::size_t>(in_part)].row;
+            if (place < packet.first || place >= packet.first + packet.rows) continue;
             const int i = lanes.part.rows[static_cast<std::size_t>(in_part)];
-            Row<3> row = now.rows[static_cast<std::size_t>(i)];
+            Row<3> row = rows[static_cast<std::size_t>(i)];
             if (row.bounded_by < 0) {
                 row.bias = std::max(C[i], Real{0}) / h;
                 if (pushes)
@@ -204,36 +214,64 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
                                          -how.fastest * now.length);
             }
             const auto [lo, hi] = bounds_of(row, lambda);
-            const Real next =
-                std::clamp(lambda[i] - row.velocity(theirs.u) / row.inverse_effective_mass(), lo, hi);
+            const Real A = row.inverse_effective_mass(),
+                       next = std::clamp(lambda[i] - row.velocity(theirs.u) / A, lo, hi);
+            if (A * std::abs(next - lambda[i]) > until) {
+                off = true;
+                for (const Index k : {row.a, row.b})
+                    if (k != world) since[static_cast<std::size_t>(k)] = pass;
+            }
             row.apply(next - lambda[i], theirs.u);
             lambda[i] = next;
         }
+        return off;
     };
-    int turned = 0;
+    const auto is_near = [&](const auto& packet) {
+        for (const int in_part : order) {
+            const int place = wide.place[static_cast<std::size_t>(in_part)].row;
+            if (place < packet.first || place >= packet.first + packet.rows) continue;
+            const Row<3>& row =
+                rows[static_cast<std::size_t>(lanes.part.rows[static_cast<std::size_t>(in_part)])];
+            for (const Index k : {row.a, row.b})
+                if (k != world && since[static_cast<std::size_t>(k)] >= pass - 1) return true;
+        }
+        return false;
+    };
+    int turned = 0, more = 0, left_out = 0;
     for (int n = 0; n < count; ++n) {
         theirs.u += (now.u_star - scene.bodies.u) / count;
-        for (std::size_t i = 0; i < now.rows.size(); ++i)
-            now.rows[i].apply(lambda[static_cast<Index>(i)], theirs.u);
-        for (int v = 0; v < how.visits; ++v) visit(true);
+        for (std::size_t i = 0; i < rows.size(); ++i) rows[i].apply(lambda[static_cast<Index>(i)], theirs.u);
+        for (int v = 0; v < how.visits; ++v)
+            for (const auto& packet : wide.packets) visit(packet, true);
         for (const int k : now.active) theirs.integrate(k, theirs.velocity(k), h);
-        for (Index i = 0; i < C.size(); ++i) {
-            Row<3> row = now.rows[static_cast<std::size_t>(i)];
-            if (row.bounded_by < 0) row.bias = 0;
-            C[i] += h * row.velocity(theirs.u);
-        }
-        for (std::size_t i = 0; i < now.rows.size(); ++i) {  // of contacts the gap
+        for (std::size_t i = 0; i < rows.size(); ++i) {  // of contacts the gap and J
             const Source& source = now.sources[i];
-            if (source.of != Source::Of::contact || source.part != normal_part) continue;
+            REQUIRE(source.of == Source::Of::contact);
             const Contact& contact = now.contacts[static_cast<std::size_t>(source.index)];
-            C[static_cast<Index>(i)] =
-                now.constraints[i].C - contact.gap + contact_constraint(contact, now.x_found, theirs.x).C;
+            const Constraint<3> c = constraint_at(scene, now, i, theirs.x);
+            rows[i].Ja = c.Ja, rows[i].Jb = c.Jb;
+            if (c.a != world)
+                rows[i].Wa = scene.bodies.inverse_mass.segment<3>(3 * c.a).cwiseProduct(c.Ja.transpose());
+            rows[i].Wb = scene.bodies.inverse_mass.segment<3>(3 * c.b).cwiseProduct(c.Jb.transpose());
+            if (source.part != normal_part) continue;
+            C[static_cast<Index>(i)] = now.constraints[i].C - contact.gap + c.C;
             turned += contact.normal_of != NormalOf::fixed;
         }
-        visit(false);
+        std::fill(since.begin(), since.end(), -2);
+        bool off = false;
+        pass = 0;
+        for (const auto& packet : wide.packets) off |= visit(packet, false);
+        for (int v = 0; v < how.again && off; ++v) {
+            ++pass, ++more, off = false;
+            for (const auto& packet : wide.packets)
+                if (is_near(packet)) off |= visit(packet, false);
+                else ++left_out;
+        }
     }
     CHECK(turned > 100);
-    // 8 small steps of three visits, sums in another order
+    CHECK(more > 0);
+    CHECK(left_out > 0);
+    // 8 small steps of three visits and more, sums in another order
     CHECK((theirs.u - ours.u).cwiseAbs().maxCoeff() < 1e-11);
     CHECK((theirs.x - ours.x).cwiseAbs().maxCoeff() < 1e-13);
     CHECK((count * lambda - found.solution.lambda).cwiseAbs().maxCoeff() < 1e-10);
@@ -258,9 +296,9 @@ TEST_CASE("a large heap that is poured costs no exact solves while it moves and 
         before = now;
         price += run.price();
     }
-    // of 4000 J: 0.4, and 0.001 where no overlap is pushed out: that lifts what lies above it
+    // of 4000 J: 0.6, and 0.001 where no overlap is pushed out: that lifts what lies above it
     CHECK(gained < 1e-3 * 4000);
-    CHECK(price < 60'000'000);  // 2.7e7; 1.8e9 where each step is solved to the tolerance
+    CHECK(price < 60'000'000);  // 4.4e7; 1.8e9 where each step is solved to the tolerance
 }
 
 TEST_CASE("a small heap that moves is swept and overlaps no more than one that is solved exactly", "[idea]")
@@ -319,45 +357,55 @@ TEST_CASE("a small heap that moves and bounces is swept with patience and hardly
 
 TEST_CASE("what comes to rest is solved to the end and then falls asleep", "[idea]")
 {
-    IslandsUnderTest run(poured_scene(60));
-    Real last = 0;
-    int steps = 0;
-    for (; steps < 400; ++steps) {
-        run.step();
-        if (run.awake() == 0) break;
-        last = run.residual();
+    for (const int bodies : {58, 60, 62}) {
+        IslandsUnderTest run(poured_scene(bodies, 0.001));  // else a disc may roll on
+        Real last = 0;
+        int steps = 0;
+        for (; steps < 400; ++steps) {
+            run.step();
+            if (run.awake() == 0) break;
+            last = run.residual();
+        }
+        INFO(bodies << " bodies");
+        CHECK(steps < 400);  // 159 to 288
+        CHECK(last < 1e-6);  // sweeps alone end at 1e-4, and leave the heap its velocities
     }
-    CHECK(steps < 400);
-    CHECK(last < 1e-6);  // sweeps alone end at 1e-4, and leave the heap its velocities
 }
 
 TEST_CASE("a disc that rolls keeps a heap awake and rolling resistance lets it sleep", "[idea]")
 {
-    IslandsUnderTest smooth(poured_scene(210)), rough(poured_scene(210, 0.001));
-    int asleep = 0;
-    for (int i = 0; i < 500; ++i) {
-        smooth.step();
-        rough.step();
-        asleep += rough.awake() == 0;
+    int awake = 0, moving = 0;
+    for (int bodies = 206; bodies <= 216; bodies += 2) {
+        IslandsUnderTest smooth(poured_scene(bodies)), rough(poured_scene(bodies, 0.001));
+        int asleep = 0;
+        for (int i = 0; i < 500; ++i) {
+            smooth.step();
+            rough.step();
+            asleep += rough.awake() == 0;
+        }
+        INFO(bodies << " bodies");
+        CHECK(asleep >
+              100);  // after 204 to 342 steps; in the engine fifteen pours after 184 to 412, one after 819
+        if (smooth.awake() == 0) continue;
+        ++awake;
+        CHECK(smooth.awake() == bodies);
+        const int before = moving;
+        for (Index k = 0; k < bodies; ++k) {
+            const Vec<3> u = smooth.scene.bodies.velocity(k);
+            moving += u.head<2>().norm() > 1e-3 || std::abs(u[2]) > 4e-3;
+        }
+        CHECK(moving > before);
     }
-    // after 242 steps; in the engine, where thin bodies overlap by less, fifteen pours after 194 to 430
-    CHECK(asleep > 100);
-    CHECK(smooth.awake() == 210);
-    int moving = 0;
-    for (Index k = 0; k < 210; ++k) {
-        const Vec<3> u = smooth.scene.bodies.velocity(k);
-        moving += u.head<2>().norm() > 1e-3 || std::abs(u[2]) > 4e-3;
-    }
-    CHECK(moving >= 1);
-    CHECK(moving <= 4);  // a disc, and what leans on it
+    CHECK(moving <= 4 * awake);  // a disc, and what leans on it
+    CHECK(awake >= 2);           // 4 of 6: whether a disc rolls is chance
 }
 
-TEST_CASE("in small steps the error of a contact is its gap however a pair turns", "[house]")
+TEST_CASE("in small steps C and J of a contact are those of where its bodies are", "[house]")
 {
     constexpr int lanes = full_lanes<Real>;
     using V = Lanes<Real, lanes>;
     Random random(9);
-    Real worst = 0;
+    Real worst = 0, turned = 0;
     const auto some = [&](Real most) { return random.uniform(-most, most); };
     for (int round = 0; round < 200; ++round) {
         Contact contact;
@@ -398,25 +446,52 @@ TEST_CASE("in small steps the error of a contact is its gap however a pair turns
                 part.local.u[i] = by[i] / elapsed;
             }
         LaneContact<V> at;
-        std::vector<LaneSpeed<V>> speeds;
-        write_contact(contact, whole, part, row, places, lanes - 1, at, speeds);
-        V x[2][3], n[2];
+        write_contact(contact, whole, part, row, places, lanes - 1, at);
+        V x[2][3];
         const bool swapped = places.second == contact.a, alone = places.first == places.second;
         for (int d = 0; d < 3; ++d) {
             x[0][d] = V{} + (alone ? 0 : by[3 * places.first + d]);
             x[1][d] = V{} + by[3 * places.second + d];
-            if (!speeds.empty()) x[0][d] = x[0][d] + speeds.front().u[d] * elapsed;
+            x[0][d] = x[0][d] + at.u[d] * elapsed;
         }
-        for (int d = 0; d < 2; ++d) n[d] = V{} + (swapped ? -1 : 1) * begin.Jb[d];
-        CHECK(speeds.size() == (alone && contact.a != world));
+        CHECK((lane(at.u[0], lanes - 1) != 0) == (alone && contact.a != world));
+        whole.contacts = {contact};
+        whole.sources = {{Source::Of::contact, 0, tangent_part}, {Source::Of::contact, 0, normal_part}};
+        const RoughScene scene;
+        const auto drag_at = [&](const Constraint<3>& normal, const VecX& to) {
+            return drag_constraint(scene, whole, whole.sources[0], normal, {{}, 0}, to);
+        };
+        const VecX moved = part.local.x + by;
+        const Constraint<3> end = contact_constraint(contact, whole.x_found, moved),
+                            drag = drag_at(end, moved);
+        // as the lane has them: the force on its second body, its arms across it
+        const auto ends = [&](const Constraint<3>& c) {
+            const RowVec<3> of_a = c.a == world ? RowVec<3>(-c.Jb) : c.Ja;
+            return swapped ? std::pair(RowVec<3>(-c.Jb), of_a) : std::pair(RowVec<3>(-of_a), c.Jb);
+        };
+        for (int d = 0; d < 2; ++d) at.n[d] = V{} + ends(begin).second[d];
+        const RowVec<3> drag_begins = ends(drag_at(begin, part.local.x)).second;
+        const V to = (at.second[0] - at.first[0] - at.d[0]) * at.n[0] +
+                     (at.second[1] - at.first[1] - at.d[1]) * at.n[1];
+        at.arm = at.with_second > V{} ? V(V{} + drag_begins[2]) : V(V{} + drag_begins[2] - to);
+        const TurnedContact<V> now(at, x[0], x[1]);
+        const auto of = [](const V& many) { return lane(many, lanes - 1); };
+        INFO("round " << round << ", normal of " << static_cast<int>(contact.normal_of));
+        CHECK(begin.C + of(now.C) == Approx(end.C).margin(1e-13));
+        for (int d = 0; d < 2; ++d) CHECK(of(now.n[d]) == Approx(ends(end).second[d]).margin(1e-13));
+        CHECK(of(now.second) == Approx(ends(end).second[2]).margin(1e-13));
+        CHECK(of(now.drag_second) == Approx(ends(drag).second[2]).margin(1e-13));
+        if (contact.a != world) {
+            CHECK(of(now.first) == Approx(ends(end).first[2]).margin(1e-13));
+            CHECK(of(now.drag_first) == Approx(ends(drag).first[2]).margin(1e-13));
+        }
         Real C = begin.C + begin.Jb.dot(by.segment<3>(3));
         if (contact.a != world) C += begin.Ja.dot(by.segment<3>(0));
-        const Real gap = contact_constraint(contact, whole.x_found, part.local.x + by).C;
-        INFO("round " << round << ", normal of " << static_cast<int>(contact.normal_of));
-        CHECK(C + lane(turned_gap(at, n, x[0], x[1]), lanes - 1) == Approx(gap).margin(1e-13));
-        worst = std::max(worst, std::abs(C - gap));
+        worst = std::max(worst, std::abs(C - end.C));
+        turned = std::max(turned, std::abs(end.Jb[2] - begin.Jb[2]));
     }
     CHECK(worst > 0.01);  // along J alone
+    CHECK(turned > 0.1);  // J itself
 }
 
 TEST_CASE("in small steps pins turn with their bodies and their errors go along", "[house]")
@@ -498,8 +573,8 @@ TEST_CASE("ten dolls in one heap take small steps and overstep no limit and gain
     CHECK(stepped > 100);
     CHECK(worst < 1e-8);  // Newton stops at 1e-9 ℓ; limits that are near are held meanwhile
     CHECK(unsolved == 0);
-    CHECK(gained < 0.02);        // of 220 falls 0.0083 m at worst; 9.4 where joints hold pushes back
-    CHECK(price < 150'000'000);  // 0.12e9; 1.1e9 by a thousand sweeps, 2.7e9 where the heap is solved exactly
+    CHECK(gained < 0.02);  // of 96 falls in the engine 0.002 m at worst; 9.4 where joints hold pushes back
+    CHECK(price < 150'000'000);  // 0.14e9; 1.1e9 by a thousand sweeps, 2.7e9 where the heap is solved exactly
 }
 
 TEST_CASE("a doll that falls in small steps gains no height", "[idea]")

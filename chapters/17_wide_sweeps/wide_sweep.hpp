@@ -103,13 +103,13 @@ bool wide_sweep(WideRows<Dof, T, L>& all, T tolerance, int threads,
 //! [sweep]
 
 /// The natural residual of all rows, (3.15), as they are in their lanes [m/s]: what a
-/// visit of each, with these velocities, would change.
+/// visit of each, with these velocities, would change. NaN, if one of them is.
 template <int Dof, class T, int L>
 T wide_residual(const WideRows<Dof, T, L>& all)
 {
     using V = Lanes<T, L>;
     const V none{};
-    V most{};
+    V most{}, finite{};  // NaN, where a number was none
     for (const Packet<L>& packet : all.packets) {
         V ua[Dof], ub[Dof];
         gather<Dof, T, L>(all.u.data(), packet.a.data(), ua);
@@ -121,10 +121,14 @@ T wide_residual(const WideRows<Dof, T, L>& all)
             const V reach = reach_of<Dof, T, L>(rows, shapes, r);
             const V lambda = wide_lambda<Dof, V>(rows[r], shapes[r], reach, ua, ub);
             const V off = size_of(lambda - rows[r].lambda) / rows[r].mass;
-            most = at_least(rows[r].mass > 0 ? off : none, most);
+            const V here = rows[r].mass == none ? none : off;
+            most = at_least(here, most);
+            finite = finite + (here - here);
         }
     }
-    return largest<L>(most);
+    T sum = largest<L>(most);
+    for (int l = 0; l < L; ++l) sum += lane(finite, l);
+    return sum;
 }
 
 /// What the λ that the rows begin with do to the velocities, in the order of the visits.

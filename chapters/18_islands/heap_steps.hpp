@@ -4,15 +4,16 @@
 ///     once:   rows into lanes
 ///     K ×:    u += k M⁻¹ f;  u += M⁻¹ Jᵀ λ;  two visits of each row;  x += k u;  one without what pushes out                      (18.4a)
 ///
-/// with k = h/K and C where the bodies are (turning_contacts.hpp). J is that of the beginning, but for pins, whose arms turn
-/// with the bodies (turning_pins.hpp). So M⁻¹ Jᵀ λ is what λ did to u in the small step before, and a small step begins with
-/// u + (u − u_before). What moves has another λ in each step; a small step is worth more to it than a sweep.
+/// with k = h/K, and C and J of contacts and pins where the bodies are by then (turning_contacts.hpp, turning_pins.hpp). What
+/// moves has another λ in each step; a small step is worth more to it than a sweep. What the last visit finds off by much is
+/// visited again (caught_bodies.hpp).
 ///
 /// What hangs on joints pushes nothing out, for a push that a joint holds back stays in the velocities. What it is off by,
 /// joints and overlaps, is corrected afterwards by positions alone.
 #pragma once
 
 #include "chapters/15_trees/newton_settings.hpp"
+#include "chapters/18_islands/caught_bodies.hpp"
 #include "chapters/18_islands/lane_errors.hpp"
 #include "chapters/18_islands/step_part.hpp"
 
@@ -29,8 +30,10 @@ struct HeapSteps {
     /// a joint that is off by more asks for twice as many small steps [ℓ, rad]
     Real open = 5e-3;
     int most = 128;  ///< K, where joints ask for more
-    /// what a small step of joints leaves is slower than this part of the fastest body
-    Real slow = 0.25;
+    /// what the last visit finds off by more than this part of the speed of the fastest
+    /// body, and by more than so much, is visited again [ℓ/s] …
+    Real slow = 0.05, slowest = 1e-3;
+    int again = 48;  ///< … in so many passes of a small step, at most
     /// of each body: the same, at most [m]; empty = slop
     std::vector<Real> slops;
 
@@ -95,54 +98,41 @@ private:
         StepData<3>& now = part.now;
         const Real h = now.h / count,
                    fastest = joined ? 0 : how.fastest * now.length,
-                   until = how.slow * fastest_body(now);
+                   until = std::max(how.slow * fastest_body(now),
+                                    how.slowest * now.length);
         const LanePush push{how.beta / h, fastest}, none{};
-        before_ = wide.u;
         for (int n = 0; n < count; ++n) {
-            begin_small_step(n > 0 && !joined, count, part, wide);
+            begin_small_step(count, part, wide);
             wide_sweep(wide, Real{0}, 1, [&](std::size_t p) {
                 errors_.set_biases(push, h, p, wide);
             });
             for (int v = 1; v < how.visits; ++v) wide_sweep(wide, Real{0}, 1);
             errors_.follow(now.active, h, wide);
-            const bool off = wide_sweep(wide, until, 1, [&](std::size_t p) {
+            const auto look = [&](std::size_t p) {
                 errors_.look(p, wide);
                 errors_.set_biases(none, h, p, wide);
-            });
-            if (off && joined) visit_on(until, (how.visits + 1) * count, now, wide);
+            };
+            bool off = caught_.visit_all(until, part.local.count(), wide, look);
+            for (int v = 0; v < how.again && off; ++v)
+                off = caught_.visit_near(until, wide);
         }
         now.visits +=
-            (how.visits + 1) * count * static_cast<std::int64_t>(now.rows.size());
+            caught_.take_visits() +
+            how.visits * count * static_cast<std::int64_t>(now.rows.size());
     }
     //! [small_steps]
 
     //! [begin_small_step]
     /// u += k M⁻¹ f;  u += M⁻¹ Jᵀ λ
-    /// \param goes_on  J is that of the small step before: λ does what it did there
-    void begin_small_step(bool goes_on, int count, const StepPart& part, Wide& wide)
+    static void begin_small_step(int count, const StepPart& part, Wide& wide)
     {
         for (const int k : part.now.active)
-            for (int d = 0; d < 3; ++d) {
-                Real &u = of(wide.u, k).u[d], &before = of(before_, k).u[d];
-                const Real now = u, by_force = part.now.u_star[3 * k + d] -
-                                               part.local.u[3 * k + d];
-                u += goes_on ? u - before : by_force / count;
-                before = now;
-            }
-        if (!goes_on) apply_impulses(wide);
+            for (int d = 0; d < 3; ++d)
+                of(wide.u, k).u[d] +=
+                    (part.now.u_star[3 * k + d] - part.local.u[3 * k + d]) / count;
+        apply_impulses(wide);
     }
     //! [begin_small_step]
-
-    //! [visit_on]
-    /// Of a limb that is caught, more visits, until they leave no more than this [m/s].
-    static void visit_on(Real until, int most, StepData<3>& now, Wide& wide)
-    {
-        for (int n = 0; n < most && wide_residual(wide) > until; ++n) {
-            wide_sweep(wide, Real{0}, 1);
-            now.visits += static_cast<std::int64_t>(now.rows.size());
-        }
-    }
-    //! [visit_on]
 
     /// Before any impulse [m/s]
     static Real fastest_body(const StepData<3>& now)
@@ -203,7 +193,7 @@ private:
     }
 
     LaneErrors errors_;
-    std::vector<Slot<3, Real>> before_;  ///< u as the last small step began [m/s]
+    CaughtBodies caught_;
 };
 
 }  // namespace rigid

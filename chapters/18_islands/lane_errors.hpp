@@ -1,9 +1,11 @@
 /// \file lane_errors.hpp
-/// What rows in lanes are off by while bodies move: of contacts and limits the gap, of joints all of it.
+/// What rows in lanes are off by while bodies move: of contacts and limits the gap, of joints all of it. J of contacts and pins
+/// goes along.
 #pragma once
 
+#include "chapters/13_friction/friction_rows.hpp"
 #include "chapters/17_wide_sweeps/wide_solver.hpp"
-#include "chapters/18_islands/turning_contacts.hpp"
+#include "chapters/18_islands/lane_contacts.hpp"
 #include "chapters/18_islands/turning_pins.hpp"
 
 namespace rigid {
@@ -32,6 +34,17 @@ class LaneErrors {
     using V = Lanes<Real, lanes>;
     using Wide = WideRows<3, Real, lanes>;
 
+    template <class Lanes>
+    static auto& row_at(Lanes& wide, int i)
+    {
+        return wide.rows[static_cast<std::size_t>(i)];
+    }
+    template <class Lanes>
+    static auto* drag_of(const LaneContact<V>& contact, Lanes& wide)
+    {
+        return contact.drag < 0 ? nullptr : &row_at(wide, contact.drag);
+    }
+
 public:
     std::vector<LaneError<V>> rows;  ///< packet after packet
     TurningPins<lanes> pins;
@@ -57,7 +70,6 @@ public:
             if (error_of(i))
                 number_[static_cast<std::size_t>(wide.place[i].row)] = 0;
         rows.clear();
-        speeds_.clear();
         first_.clear();
         for (std::size_t p = 0; p < wide.packets.size(); ++p) {
             const Packet<lanes>& packet = wide.packets[p];
@@ -91,8 +103,13 @@ public:
             const auto l = static_cast<std::size_t>(lane);
             write_contact(whole.contacts[static_cast<std::size_t>(source.index)],
                           whole, part, part.now.rows[i], {packet.a[l], packet.b[l]},
-                          lane, error.contact, speeds_);
+                          lane, error.contact);
         }
+        for (std::size_t i = 0; i < of.size(); ++i) find_drag(i, whole, part, wide);
+        for (LaneError<V>& error : rows)
+            if (error.contact.some)
+                begin_contact(row_at(wide, error.row), drag_of(error.contact, wide),
+                              error.contact);
     }
 
     //! [biases]
@@ -106,8 +123,8 @@ public:
         elapsed_ += h;
         pins.turn(h, wide);
     }
-    /// C of the rows of a packet where the bodies are by then, (18.8)
-    void look(std::size_t p, const Wide& wide)
+    /// C of the rows of a packet where the bodies are by then, and J of contacts
+    void look(std::size_t p, Wide& wide)
     {
         if (first_[p] == first_[p + 1]) return;
         V xa[3], xb[3];
@@ -115,12 +132,11 @@ public:
         gather<3, Real, lanes>(gone_.data(), wide.packets[p].b.data(), xb);
         for (std::size_t i = first_[p]; i < first_[p + 1]; ++i) {
             LaneError<V>& error = rows[i];
-            const auto& row = wide.rows[static_cast<std::size_t>(error.row)];
-            V C = error.begin + error.rate * (V{} + elapsed_);
+            const auto& row = row_at(wide, error.row);
+            error.C = error.begin + error.rate * (V{} + elapsed_);
             for (int d = 0; d < 3; ++d)
-                C = C + row.Ja[d] * xa[d] + row.Jb[d] * xb[d];
-            error.C =
-                error.contact.some ? C + turned(error.contact, row, xa, xb) : C;
+                error.C = error.C + row.Ja[d] * xa[d] + row.Jb[d] * xb[d];
+            if (error.contact.some) turn(error, xa, xb, wide);
         }
     }
     /// (18.4b) for them: a gap may close, and an overlap goes out.
@@ -157,21 +173,41 @@ public:
 
 private:
     /// \param xa, xb  Δx of what impulses move
-    V turned(const LaneContact<V>& contact, const WideRow<3, V>& row,
-             const V (&xa)[3], const V (&xb)[3]) const
+    void turn(LaneError<V>& error, const V (&xa)[3], const V (&xb)[3],
+              Wide& wide) const
     {
-        const V n[2] = {row.Jb[0], row.Jb[1]};
-        V x1[3] = {contact.both * xa[0], contact.both * xa[1],
-                   contact.both * xa[2]};
-        for (int i = 0; contact.driven >= 0 && i < 3; ++i)
-            x1[i] = x1[i] + speeds_[static_cast<std::size_t>(contact.driven)].u[i] *
-                                elapsed_;
-        return turned_gap(contact, n, x1, xb);
+        const LaneContact<V>& at = error.contact;
+        V x1[3];
+        for (int d = 0; d < 3; ++d) x1[d] = at.both * xa[d] + at.u[d] * elapsed_;
+        const TurnedContact<V> now(at, x1, xb);
+        const V rate =
+            turn_rows(at, now, wide.inverse[static_cast<std::size_t>(error.packet)],
+                      row_at(wide, error.row), drag_of(at, wide));
+        error.C = at.is > V{} ? V(error.begin + now.C) : error.C;
+        error.rate = at.is > V{} ? rate : error.rate;
     }
 
-    std::vector<LaneSpeed<V>> speeds_;  ///< of what is driven
-    std::vector<std::size_t> first_;    ///< of each packet, in `rows`
-    std::vector<int> number_;  ///< in `rows`, of each row of the lanes; −1
+    /// Finds the contact of row i of the part, if that is one of friction.
+    void find_drag(std::size_t i, const StepData<3>& whole, const StepPart& part,
+                   const Wide& wide)
+    {
+        const Source& source =
+            whole.sources[static_cast<std::size_t>(part.rows[i])];
+        const auto [row, lane] = wide.place[i];
+        if (row < 0 || source.of != Source::Of::contact ||
+            source.part != tangent_part)
+            return;
+        const auto normal = static_cast<std::size_t>(part.now.rows[i].bounded_by);
+        const int number =
+            number_[static_cast<std::size_t>(wide.place[normal].row)];
+        if (number < 0) return;  // it has no C
+        LaneContact<V>& contact = rows[static_cast<std::size_t>(number)].contact;
+        contact.drag = row;
+        write_lane(contact.drags, lane, 1);
+    }
+
+    std::vector<std::size_t> first_;  ///< of each packet, in `rows`
+    std::vector<int> number_;         ///< in `rows`, of each row of the lanes; −1
     std::vector<Slot<3, Real>> gone_;  ///< Δx of each body
     Real elapsed_ = 0;                 ///< [s]
 };

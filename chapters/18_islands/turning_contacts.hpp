@@ -1,16 +1,13 @@
 /// \file turning_contacts.hpp
-/// Contacts in small steps: their normals turn as those of (12.4) do, so that C is the gap, however far a pair has turned.
+/// Contacts in small steps: their normals turn as those of (12.4) do, and C and J are those of where the bodies are.
 ///
-///     C = C₀ + J Δx + n·(e_b − e_a) + (n' − n)·d' − Δθ n⊥·d,    e = (R − 1) r − θ r⊥                                  (18.8)
+///     C = C₀ + n'·d' − n·d,    J_n = (−n', −r_a × n'), (n', r_b × n'),    J_t = (−t', −q_a·n'), (t', q_b·n')        (18.8)
 ///
-/// for an arm r of a body that has turned by θ, and d = p_b − p_a. J stays as it was when the step began. What it is off by is
-/// of first order in how far a pair has turned, and the C of the next small step makes up for it.
+/// for the way d from the point of a to that of b, the arms r of C's derivative (11.13) and those q to the point of friction
+/// (13.3), t' at right angles to n'.
 #pragma once
 
 #include "chapters/17_wide_sweeps/wide_rows.hpp"
-#include "chapters/18_islands/step_part.hpp"
-
-#include <utility>
 
 namespace rigid {
 
@@ -19,136 +16,119 @@ namespace rigid {
 enum class LaneTurns { none, first, second, centres };
 
 /// A contact in each lane. If only one of its bodies is moved by impulses it is the
-/// second one, and the first goes on as it goes; n, which is in J, goes from the
-/// first to the second.
+/// second one, and the first goes on as it goes; n goes from the first to the second.
 template <class V>
 struct LaneContact {
     bool some = false, some_centres = false;  ///< of the lanes
-    int driven = -1;  ///< velocities of first ones that impulses do not move
+    int drag = -1;  ///< the row of its friction; −1: none
+    V is{};         ///< 1, or 0 in lanes of others
+    V both{};       ///< 1: impulses move the first one, too
+    V u[3]{};       ///< of a first one that they do not move [m/s, rad/s]
+    V turns{};      ///< a LaneTurns, as a number
+    // when the step began
+    V n[2]{};
     V first[2]{}, second[2]{};  ///< r, from the centroids to the points [m]
-    V d[2]{};                   ///< from point to point, when the step began [m]
-    V both{};                   ///< 1: impulses move the first one, too
-    V turns{};                  ///< a LaneTurns, as a number
-};
-/// v and ω of a body in each lane [m/s, rad/s].
-template <class V>
-struct LaneSpeed {
-    V u[3]{};
+    V d[2]{};                   ///< from point to point [m]
+    // of friction
+    V drags{};        ///< 1 where there is some
+    V with_second{};  ///< 1: its point goes with the second body
+    V arm{};          ///< q·n of the body that the point goes with [m]
+    V belt{};         ///< b, less J u of what nothing moves [m/s]
 };
 //! [contact]
 
-//! [write]
-/// A contact into its lane.
-/// \param row     of it in the part
-/// \param places  of the two bodies of the lane, in the part
-/// \param speeds  of what is driven
-template <class V>
-void write_contact(const Contact& contact, const StepData<3>& whole,
-                   const StepPart& part, const Row<3>& row,
-                   std::pair<int, int> places, int lane, LaneContact<V>& out,
-                   std::vector<LaneSpeed<V>>& speeds)
-{
-    struct Side {
-        Vec2 r, p;  // from the centroid to the point, and where that is
-        bool turns_normal;
-    };
-    const auto side = [&](Index in_scene, Index in_part, Real core, NormalOf own) {
-        const Vec2 point = contact.point + core * contact.normal;
-        if (in_part == world) return Side{Vec2(0, 0), point, false};
-        const Vec<3> found = whole.x_found.segment<3>(3 * in_scene),
-                     x = part.local.x.segment<3>(3 * in_part);
-        const Vec2 then = point - found.head<2>();
-        const auto [s, c] = sine_and_cosine(x[2] - found[2]);
-        const Vec2 r = c * then + s * perpendicular(then);
-        return Side{r, x.head<2>() + r, contact.normal_of == own};
-    };
-    Side first = side(contact.a, row.a, -contact.core_a, NormalOf::a),
-         second = side(contact.b, row.b, contact.core_b, NormalOf::b);
-    const bool swapped = places.second != row.b,
-               both = places.first != places.second;
-    if (swapped) std::swap(first, second);
-    const Vec2 d = second.p - first.p;
-    for (int i = 0; i < 2; ++i) {
-        write_lane(out.d[i], lane, d[i]);
-        write_lane(out.first[i], lane, first.r[i]);
-        write_lane(out.second[i], lane, second.r[i]);
-    }
-    write_lane(out.both, lane, both);
-    const bool centres = contact.normal_of == NormalOf::centres;
-    const LaneTurns turns = centres               ? LaneTurns::centres
-                            : first.turns_normal  ? LaneTurns::first
-                            : second.turns_normal ? LaneTurns::second
-                                                  : LaneTurns::none;
-    write_lane(out.turns, lane, static_cast<Real>(turns));
-    out.some = true, out.some_centres |= centres;
-    const Index alone = swapped ? row.b : row.a;
-    if (both || alone == world || part.local.velocity(alone).isZero(0)) return;
-    if (out.driven < 0)
-        out.driven = static_cast<int>(speeds.size()), speeds.emplace_back();
-    for (int i = 0; i < 3; ++i)
-        write_lane(speeds[static_cast<std::size_t>(out.driven)].u[i], lane,
-                   part.local.u[3 * alone + i]);
-}
-//! [write]
-
 //! [turned]
-/// What an arm does besides turning along J.
+/// What an arm does as its body turns.
 template <class V>
 struct TurnedArm {
-    V cosine, sine;     ///< cos θ − 1 and sin θ
-    V way[2], rest[2];  ///< (R − 1) r, and e of it [m]
+    V cosine, sine;  ///< cos θ − 1 and sin θ
+    V way[2];        ///< (R − 1) r [m]
 
     TurnedArm(const V& theta, const V (&r)[2])
     {
-        const V none{}, s = theta * theta;  // Taylor: to θ⁹/362880
-        const V beyond = theta * s *
-                         (none - Real(1) / 6 +
-                          s * (none + Real(1) / 120 - s * (none + Real(1) / 5040)));
-        cosine =
-            s * (none - Real(0.5) +
-                 s * (none + Real(1) / 24 -
-                      s * (none + Real(1) / 720 - s * (none + Real(1) / 40320))));
-        sine = theta + beyond;
+        // of half the angle by Taylor, to x⁹/362880; nothing turns more than once
+        const V none{},
+            most = none + pi,
+            x = at_most(at_least(V(theta * Real(0.5)), V(none - most)), most),
+            s = x * x,
+            half_sine = x + x * s *
+                                (none - Real(1) / 6 +
+                                 s * (none + Real(1) / 120 -
+                                      s * (none + Real(1) / 5040 -
+                                           s * (none + Real(1) / 362880)))),
+            half_cosine = none + 1 +
+                          s * (none - Real(0.5) +
+                               s * (none + Real(1) / 24 -
+                                    s * (none + Real(1) / 720 -
+                                         s * (none + Real(1) / 40320))));
+        sine = 2 * half_sine * half_cosine;
+        cosine = none - 2 * half_sine * half_sine;
         way[0] = cosine * r[0] - sine * r[1];
         way[1] = cosine * r[1] + sine * r[0];
-        rest[0] = cosine * r[0] - beyond * r[1];
-        rest[1] = cosine * r[1] + beyond * r[0];
     }
 };
 
-/// (18.8) without C₀ + J Δx.
-/// \param n       when the step began
-/// \param x1, x2  Δx of the two bodies
+/// (18.8): a contact where its bodies are.
 template <class V>
-V turned_gap(const LaneContact<V>& at, const V (&n)[2], const V (&x1)[3],
-             const V (&x2)[3])
-{
-    const V none{}, one = none + 1;
-    const auto with = [&](LaneTurns what, const V& of_it) -> V {
-        return at.turns == none + static_cast<Real>(what) ? of_it : none;
-    };
-    const TurnedArm<V> a(x1[2], at.first), b(x2[2], at.second);
-    const V cosine = with(LaneTurns::first, a.cosine) +
-                     with(LaneTurns::second, b.cosine),
-            sine = with(LaneTurns::first, a.sine) + with(LaneTurns::second, b.sine),
-            angle = with(LaneTurns::first, x1[2]) + with(LaneTurns::second, x2[2]);
-    V more[2] = {cosine * n[0] - sine * n[1],
-                 cosine * n[1] + sine * n[0]};  // n' − n
-    V d[2];
-    for (int i = 0; i < 2; ++i)
-        d[i] = at.d[i] + (x2[i] + b.way[i]) - (x1[i] + a.way[i]);
-    if (at.some_centres) {
-        const V length = root_of(V(d[0] * d[0] + d[1] * d[1])),
-                by = length > none ? length : one;
+struct TurnedContact {
+    V C;                        ///< less C₀ [m]
+    V n[2];                     ///< n'
+    V first, second;            ///< r × n' of both bodies, as J has it [m]
+    V drag_first, drag_second;  ///< q·n' [m]
+
+    /// \param x1, x2  Δx of the two bodies
+    TurnedContact(const LaneContact<V>& at, const V (&x1)[3], const V (&x2)[3])
+    {
+        const V none{}, one = none + 1;
+        const auto with = [&](LaneTurns what, const V& of_it) -> V {
+            return at.turns == none + static_cast<Real>(what) ? of_it : none;
+        };
+        const TurnedArm<V> a(x1[2], at.first), b(x2[2], at.second);
+        const V cosine = with(LaneTurns::first, a.cosine) +
+                         with(LaneTurns::second, b.cosine),
+                sine = with(LaneTurns::first, a.sine) +
+                       with(LaneTurns::second, b.sine);
+        V more[2] = {cosine * at.n[0] - sine * at.n[1],
+                     cosine * at.n[1] + sine * at.n[0]};  // n' − n
+        V way[2], d[2];
         for (int i = 0; i < 2; ++i) {
-            const V turned = length > none ? V(d[i] / by - n[i]) : none;
-            more[i] = more[i] + with(LaneTurns::centres, turned);
+            way[i] = (x2[i] + b.way[i]) - (x1[i] + a.way[i]);
+            d[i] = at.d[i] + way[i];
         }
+        if (at.some_centres) {
+            const V length = root_of(V(d[0] * d[0] + d[1] * d[1])),
+                    by = length > none ? length : one;
+            for (int i = 0; i < 2; ++i) {
+                const V turned = length > none ? V(d[i] / by - at.n[i]) : none;
+                more[i] = more[i] + with(LaneTurns::centres, turned);
+            }
+        }
+        C = (at.n[0] * way[0] + at.n[1] * way[1]) +
+            (more[0] * d[0] + more[1] * d[1]);
+        V r1[2], r2[2], apart[2];  // from the centroid of the second to the first
+        for (int i = 0; i < 2; ++i) {
+            n[i] = at.n[i] + more[i];
+            r1[i] = at.first[i] + a.way[i], r2[i] = at.second[i] + b.way[i];
+            apart[i] = r2[i] - r1[i] - d[i];
+        }
+        const auto along = [&](const V(&r)[2]) -> V {
+            return r[0] * n[0] + r[1] * n[1];
+        };
+        const auto across = [&](const V(&r)[2]) -> V {
+            return r[0] * n[1] - r[1] * n[0];
+        };
+        const V turn = across(d);
+        first = across(r1) + with(LaneTurns::first, turn);
+        second = across(r2) - with(LaneTurns::second, turn);
+        const V more1 = along(r1) - (at.first[0] * at.n[0] + at.first[1] * at.n[1]),
+                more2 =
+                    along(r2) - (at.second[0] * at.n[0] + at.second[1] * at.n[1]),
+                own = at.with_second > none ? more2 : more1,
+                q = at.arm + (at.turns > none ? own : none), to = along(apart);
+        drag_first = at.with_second > none ? V(q - to) : q;
+        drag_second = at.with_second > none ? q : V(q + to);
     }
-    const V along = n[0] * (b.rest[0] - a.rest[0]) + n[1] * (b.rest[1] - a.rest[1]);
-    return along + (more[0] * d[0] + more[1] * d[1]) -
-           angle * (n[0] * at.d[1] - n[1] * at.d[0]);
-}
+};
 //! [turned]
 
 }  // namespace rigid
