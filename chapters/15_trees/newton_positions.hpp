@@ -25,19 +25,6 @@
 
 namespace rigid {
 
-/// A solver whose problems, islands or all rows as one, can have their errors corrected each by itself.
-///
-/// - for_each_problem() calls visit(rows, bodies, apart, what) for each of them: apart.solve_apart() solves other biases on
-///   these rows alone, apart.factor_again() takes their J from now.rows.
-/// - bounce_late(), after the positions: what bounces at the end of a sub-step. It changes u and λ, and no x.
-template <class Solver>
-concept SolvesProblems = requires(Solver it, Bodies<3>& bodies, StepData<3>& now)
-{
-    it.for_each_problem(
-        now, [](std::span<const int>, std::span<const int>, auto&, Corrected) {});
-    it.bounce_late(bodies, now);
-};
-
 struct NewtonPositions : NewtonSettings, Restitution, PlainCorrection {
 private:
     template <class List>
@@ -121,11 +108,13 @@ public:
         bool fresh = false;  // J is that of the best positions so far
         bool alone = what == Corrected::joints, gave_up = false, jointed = false;
         bool unanswered = false;  // what is to come out, if it is solved exactly
-        int n = 0;
+        int n = 0, begun = 0,
+            times = 1;  // so many sweeps at a time, and of the iterations
         if (alone) held_.hold(scene, rows, now);
-        for (;; ++n) {
+        for (;; n += times) {
             const Real before = off;
-            off = 0;
+            Real bent = 0;  // what J did not foresee
+            off = 0, times = 1;
             bool wanted = false, touching = false, joined = false;
             for (const int i : rows) {
                 Constraint<3>& c = at(now.constraints, i);
@@ -144,7 +133,9 @@ public:
                     const Real error = held ? std::min(Real{0}, c.C) : c.C;
                     joined = jointed = what != Corrected::overlaps;
                     at(second.bias, i) = error / h;
-                    if (joined) off = std::max(off, std::abs(error) * unit);
+                    if (!joined) continue;
+                    off = std::max(off, std::abs(error) * unit);
+                    if (n > 0) bent = std::max(bent, foreseen_.off(i, c.C) * unit);
                 } else {
                     // (15.17): what lies too deep comes out once, by the part β
                     const Real all = slop * now.length;  // an angle's, too
@@ -172,7 +163,7 @@ public:
                 touching && (n >= most_swept ||
                              (worse && second.solution.status != Status::solved));
             if (give_up) {
-                alone = true;
+                alone = true, begun = n + 1;
                 continue;
             }
             const int swept = alone ? 2 * most_swept : most_swept;
@@ -186,13 +177,16 @@ public:
             best_.keep(bodies, members);
             best = off;
             part = 1;
-            // the old J is good enough while it takes nine tenths of the error
-            fresh = n > 0 ? off > before / 10 : what == Corrected::joints;
+            // a round that leaves more than a tenth needs another J, if that did not
+            // foresee it; one that leaves more than half, longer ones
+            const bool slow = n > begun && off > before / 10;
+            fresh = n > 0 ? slow && bent > off / 10 : what == Corrected::joints;
             if (fresh) {
                 renewed_.renew(scene, h, rows, members, second, n > 0, apart, now);
                 ++renewals;
-            }
-            second.max_sweeps = wanted ? push_sweeps : sweeps;
+            } else if (off > before / 2 && n > begun && what == Corrected::errors)
+                times = rounds(off, before, bent, swept - n);
+            second.max_sweeps = wanted ? push_sweeps : times * sweeps;
             apart.solve_apart(second, v, now);
             const auto is_far = [&] {
                 return goes_far(v, members, now.length, h, std::max(pushed, off));
@@ -211,6 +205,7 @@ public:
                 // nor is there an answer without them (of joints the error tells)
                 if (!joined && is_far()) break;
             }
+            foreseen_.note(h, rows, v, now);
             move_by(v, h, bodies, members);
             if (!joined) {  // overlaps come out once
                 ++n;
@@ -234,7 +229,8 @@ public:
 private:
     Arcs arcs_;
     RenewedRows renewed_;
-    PlacesBefore best_;       ///< with the least error so far
+    PlacesBefore best_;  ///< with the least error so far
+    ForeseenErrors foreseen_;
     std::vector<char> deep_;  ///< of each row, 1: its overlap is being repaid
     HeldLimits held_;
 };

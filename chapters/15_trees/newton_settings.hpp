@@ -52,6 +52,19 @@ enum class Corrected : unsigned char {
     joints,           ///< errors of joints, with limits that are near held
 };
 
+/// A solver whose problems, islands or all rows as one, can have their errors corrected each by itself.
+///
+/// - for_each_problem() calls visit(rows, bodies, apart, what) for each of them: apart.solve_apart() solves other biases on
+///   these rows alone, apart.factor_again() takes their J from now.rows.
+/// - bounce_late(), after the positions: what bounces at the end of a sub-step. It changes u and λ, and no x.
+template <class Solver>
+concept SolvesProblems = requires(Solver it, Bodies<3>& bodies, StepData<3>& now)
+{
+    it.for_each_problem(
+        now, [](std::span<const int>, std::span<const int>, auto&, Corrected) {});
+    it.bounce_late(bodies, now);
+};
+
 inline bool is_of_joint(const StepData<3>& now, int row)
 {
     return now.sources[static_cast<std::size_t>(row)].of == Source::Of::joint;

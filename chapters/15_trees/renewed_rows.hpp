@@ -9,6 +9,39 @@
 
 namespace rigid {
 
+//! [foreseen]
+/// What C of each row will be by its J: how far off that was tells whether J still fits.
+struct ForeseenErrors {
+    std::vector<Real> C;  ///< [m, rad]
+
+    /// The bodies are to move by h v.
+    void note(Real h, std::span<const int> rows, const VecX& v,
+              const StepData<3>& now)
+    {
+        C.resize(now.rows.size());
+        for (const int i : rows) {
+            const auto at = static_cast<std::size_t>(i);
+            const Row<3>& row = now.rows[at];
+            C[at] = now.constraints[at].C + h * (row.velocity(v) - row.bias);
+        }
+    }
+    Real off(int row, Real found) const
+    {
+        return std::abs(found - C[static_cast<std::size_t>(row)]);
+    }
+};
+
+/// So many rounds bring what J foresees down to what it does not, at the rate of the
+/// last one: one at least.
+inline int rounds(Real off, Real before, Real bent, int most)
+{
+    int count = 1;
+    for (Real left = off * (off / before); left > bent && count < most; ++count)
+        left *= off / before;
+    return count;
+}
+//! [foreseen]
+
 struct RenewedRows {
     //! [renew]
     /// \param h       Λ is h λ of the last problem [kg m]
