@@ -6,7 +6,6 @@
 
 #include "chapters/17_wide_sweeps/wide_sweep.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace rigid {
@@ -26,9 +25,7 @@ public:
     template <class Before>
     bool visit_all(Real until, Index bodies, Wide& wide, const Before& before)
     {
-        bodies_ = static_cast<int>(bodies);
-        since_.assign(wide.u.size(), 0);
-        pass_ = 2;
+        begin(bodies, wide);
         bool off = false;
         for (std::size_t p = 0; p < wide.packets.size(); ++p) {
             before(p);
@@ -38,14 +35,7 @@ public:
     }
 
     /// Visits packets of bodies that this pass or the one before has changed by more.
-    bool visit_near(Real until, Wide& wide)
-    {
-        ++pass_;
-        bool off = false;
-        for (std::size_t p = 0; p < wide.packets.size(); ++p)
-            if (is_near(wide.packets[p])) off |= visit(p, until, wide);
-        return off;
-    }
+    bool visit_near(Real until, Wide& wide);
     //! [caught]
 
     /// Rows visited since the last time.
@@ -54,32 +44,12 @@ public:
 private:
     int& since(int body) { return since_[static_cast<std::size_t>(body)]; }
 
-    bool is_near(const Packet<lanes>& packet)
-    {
-        const auto changed = [&](int body) { return since(body) >= pass_ - 1; };
-        return std::any_of(packet.a.begin(), packet.a.end(), changed) ||
-               std::any_of(packet.b.begin(), packet.b.end(), changed);
-    }
-
-    bool visit(std::size_t p, Real until, Wide& wide)
-    {
-        const Packet<lanes>& packet = wide.packets[p];
-        const auto row = static_cast<std::size_t>(packet.first);
-        V off{};
-        visit_packet<3, Real, lanes>(packet, &wide.rows[row], &wide.shapes[row],
-                                     wide.inverse[p], until, wide.u.data(), off);
-        visits_ += packet.rows * std::count_if(packet.a.begin(), packet.a.end(),
-                                               [&](int k) { return k < bodies_; });
-        if (!(largest<lanes>(off) > 0)) return false;
-        for (int l = 0; l < lanes; ++l)
-            if (lane(off, l) > 0)
-                since(packet.a[static_cast<std::size_t>(l)]) =
-                    since(packet.b[static_cast<std::size_t>(l)]) = pass_;
-        return true;
-    }
+    void begin(Index bodies, const Wide& wide);
+    bool is_near(const Packet<lanes>& packet);
+    bool visit(std::size_t p, Real until, Wide& wide);
 
     std::vector<int>
-        since_;  ///< the last pass that changed a body by more than that
+        since_;  ///< of each body the last pass that changed it by more
     int pass_ = 0, bodies_ = 0;
     std::int64_t visits_ = 0;
 };

@@ -101,24 +101,24 @@ private:
                    until = std::max(how.slow * fastest_body(now),
                                     how.slowest * now.length);
         const LanePush push{how.beta / h, fastest}, none{};
+        const auto set_biases = [&](std::size_t p) {
+            errors_.set_biases(push, h, p, wide);
+        };
+        const auto look = [&](std::size_t p) {
+            errors_.look(p, wide);
+            errors_.set_biases(none, h, p, wide);
+        };
+        const Index bodies = part.local.count();
         for (int n = 0; n < count; ++n) {
             begin_small_step(count, part, wide);
-            wide_sweep(wide, Real{0}, 1, [&](std::size_t p) {
-                errors_.set_biases(push, h, p, wide);
-            });
-            for (int v = 1; v < how.visits; ++v) wide_sweep(wide, Real{0}, 1);
+            for (int v = 0; v < how.visits; ++v)
+                caught_.visit_all(infinity, bodies, wide, set_biases);
             errors_.follow(now.active, h, wide);
-            const auto look = [&](std::size_t p) {
-                errors_.look(p, wide);
-                errors_.set_biases(none, h, p, wide);
-            };
-            bool off = caught_.visit_all(until, part.local.count(), wide, look);
+            bool off = caught_.visit_all(until, bodies, wide, look);
             for (int v = 0; v < how.again && off; ++v)
                 off = caught_.visit_near(until, wide);
         }
-        now.visits +=
-            caught_.take_visits() +
-            how.visits * count * static_cast<std::int64_t>(now.rows.size());
+        now.visits += caught_.take_visits();
     }
     //! [small_steps]
 
