@@ -299,6 +299,9 @@ TEST_CASE("the residual of the lanes is that of the rows", "[house]")
     solver.solve(p.scene.bodies, p.now);
     REQUIRE(p.now.solution.residual > 1e-3);
     CHECK(wide_residual(solver.wide) == Approx(p.now.solution.residual).epsilon(1e-10));
+    auto broken = solver.wide;  // in a row that many others follow
+    broken.rows.front().bias = broken.rows.front().bias + std::numeric_limits<Real>::quiet_NaN();
+    CHECK(std::isnan(wide_residual(broken)));
 }
 
 TEST_CASE("floats reach a residual that only doubles can have", "[idea]")

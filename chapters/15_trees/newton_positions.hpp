@@ -108,8 +108,8 @@ public:
         bool fresh = false;  // J is that of the best positions so far
         bool alone = what == Corrected::joints, gave_up = false, jointed = false;
         bool unanswered = false;  // what is to come out, if it is solved exactly
-        int n = 0, begun = 0,
-            times = 1;  // so many sweeps at a time, and of the iterations
+        int n = 0, times = 1;  // iterations, and how many of them a long one counts
+        int begun = 0;         // the first with these rows
         if (alone) held_.hold(scene, rows, now);
         for (;; n += times) {
             const Real before = off;
@@ -177,14 +177,14 @@ public:
             best_.keep(bodies, members);
             best = off;
             part = 1;
-            // a round that leaves more than a tenth needs another J, if that did not
-            // foresee it; one that leaves more than half, longer ones
+            // what a round leaves beyond a tenth asks for another J where this one did
+            // not foresee it, and beyond a half for longer rounds where it did
             const bool slow = n > begun && off > before / 10;
             fresh = n > 0 ? slow && bent > off / 10 : what == Corrected::joints;
             if (fresh) {
                 renewed_.renew(scene, h, rows, members, second, n > 0, apart, now);
                 ++renewals;
-            } else if (off > before / 2 && n > begun && what == Corrected::errors)
+            } else if (slow && off > before / 2 && what == Corrected::errors)
                 times = rounds(off, before, bent, swept - n);
             second.max_sweeps = wanted ? push_sweeps : times * sweeps;
             apart.solve_apart(second, v, now);
