@@ -882,16 +882,43 @@ TEST_CASE("for two balls and a wall by hand the exact island gives what (10.10) 
 
 // ---- sleeping --------------------------------------------------------------------------------------
 
-TEST_CASE("a body that lies still falls asleep after exactly T over h steps", "[idea]")
+TEST_CASE("a body that lies still falls asleep in its first step and woken after T over h steps", "[idea]")
 {
     for (const Real h : {1.0 / 60, 1.0 / 64, 1.0 / 240, 1.0 / 1000}) {
         SkippingWorld now = world_of(columns(1, 1));
         SkippingSettings settings = early_out(h);
-        int wanted = 0;
-        for (Real rested = 0; rested < settings.rest.time; rested += h) ++wanted;
-        CHECK(steps_to_sleep(now, settings) == wanted);
+        CHECK(steps_to_sleep(now, settings) == 1);
+        CHECK(now.counters.fell_asleep == 1);
+        now.method.contacts.wake(0);
+        // whether T / h times h are T is a matter of rounding
+        CHECK(std::abs(steps_to_sleep(now, settings) - settings.rest.time / h) <= 1);
         CHECK(now.counters.fell_asleep == 1);
     }
+}
+
+TEST_CASE("the slower a body is the sooner it may sleep and what begins to move is watched as closely", "[idea]")
+{
+    const RestSettings rest;
+    const Real noise = 1e-4;
+    const auto may = [&](Real p, Real top, Real speed, Real undisturbed = infinity) {
+        return may_sleep({p * rest.time, top, undisturbed}, speed, rest, noise);
+    };
+    CHECK_FALSE(may(0, 0, 0));  // it has not rested
+    CHECK_FALSE(may(-1, 0, 0));
+    CHECK(may(1e-9, 0, 0));
+    for (const Real slower : {2.0, 4.0, 100.0, 1e4}) {
+        const Real top = rest.speed / slower, p = 1 / std::sqrt(slower);
+        CHECK(may(p * 1.001, top, top / 2));
+        CHECK_FALSE(may(p * 0.999, top, top / 2));
+        CHECK_FALSE(may(p * 1.001, top, top * 0.51));
+        CHECK_FALSE(may(p * 1.001, top, top / 2, 0.999 * rest.time));  // it was woken not long ago
+        CHECK(may(p * 1.001, top, top / 2, rest.time));
+        // a constant acceleration is noise in the same steps or later, if at all
+        CHECK(may(p, p * p * noise * 0.99, p * p * noise * 0.99));
+        CHECK_FALSE(may(p, p * p * noise * 1.01, p * p * noise * 1.01));
+    }
+    CHECK(may(1, 3 * rest.speed, rest.speed, 0));  // before its first step it was faster
+    CHECK(may(1, noise, noise, 0));
 }
 
 TEST_CASE("when all sleep a step does nothing and bodies stay where they were", "[idea]")
@@ -1564,6 +1591,7 @@ TEST_CASE("two changes of one disc between two steps count as one", "[idea]")
 {
     DiscScene scene = columns(3, 1);
     SkippingSettings settings = early_out();
+    settings.sleep = false;
     SkippingWorld now = world_of(scene);
     for (const Real mass : {0.0, 1.0, 0.0, 1.0}) change_disc(now, 1, {1, 5}, {0, 0}, mass);
     skipping_step(now, settings);
@@ -1602,7 +1630,8 @@ TEST_CASE("a spring to a disc that is driven keeps awake what hangs on it alone"
 
 TEST_CASE("no bodies and one body and only fixed ones make a step", "[idea]")
 {
-    const SkippingSettings settings = early_out();
+    SkippingSettings settings = early_out();
+    settings.sleep = false;
     SkippingWorld nothing = make_world(empty_scene(0), {});
     run(nothing, settings, 3);
     CHECK(nothing.counters.awake == 0);

@@ -243,6 +243,7 @@ TEST_CASE("islands with friction that are solved one by one give the answer of t
     RoughScene together = pushed_towers(), apart = together;
     ExactFriction<Manifolds> whole;
     SkippingFriction islands;
+    islands.contacts.sleep = false;
     islands.correction = whole.correction;
     islands.solver.coupled.most_rows = 16;
     islands.solver.sweeps.tolerance = 1e-11;
@@ -260,6 +261,7 @@ TEST_CASE("islands with friction that are solved one by one give the answer of t
     // with room for two boxes the other two towers are swept, and are as good as their tolerance
     RoughScene mixed = pushed_towers();
     SkippingFriction small;
+    small.contacts.sleep = false;
     small.correction = whole.correction;
     small.solver.coupled.most_rows = 8;
     small.solver.sweeps = {.max_sweeps = 20000, .tolerance = 1e-11};

@@ -146,7 +146,7 @@ TEST_CASE("a body knows its joints and a joint its number of the caller", "[idea
 TEST_CASE("the contacts of a body bear its weight while it is awake and while it sleeps", "[idea]")
 {
     for (const int substeps : {1, 4}) {
-        World engine({.substeps = substeps});
+        World engine({.substeps = substeps, .sleep = false});
         engine.add_wall({{-0.28, 0.96}, 0});  // a slope of 16°, n = (-7, 24)/25
         BodyDefinition body = body_at({0, 0}, 2);
         body.angle = std::atan2(0.28, 0.96);
@@ -173,6 +173,9 @@ TEST_CASE("the contacts of a body bear its weight while it is awake and while it
         REQUIRE(engine.is_awake(below));
         check(below, 4, 2), check(above, 4, 2);
         CHECK(list.size() == 2);
+        WorldSettings settings = engine.settings();
+        settings.sleep = true;
+        engine.change(settings);
         run(engine, 110);
         REQUIRE_FALSE(engine.is_awake(below));
         check(below, 4, 2), check(above, 4, 2);
@@ -552,6 +555,78 @@ TEST_CASE("whoever helps with a step in whatever order its bits are the same", "
         called = 0;
         small.step(frame);
         CHECK(called == 0);
+    }
+}
+
+TEST_CASE("what is put down in balance sleeps at once whenever and wherever it is put", "[idea]")
+{
+    World engine;
+    engine.add_wall({{0, 1}, 0});
+    const auto stands = [&](Real x) { return engine.add_body(body_at({x, 0.5}, 1)); };
+    const BodyId first = stands(0);
+    engine.step(frame);
+    CHECK_FALSE(engine.is_awake(first));
+    const BodyId later = stands(3);
+    engine.step(frame);
+    CHECK_FALSE(engine.is_awake(later));
+    engine.remove(later);
+    const BodyId again = stands(3);  // in the place of the other one
+    engine.step(frame);
+    CHECK_FALSE(engine.is_awake(again));
+    CHECK(engine.position(again) == Vec2(3, 0.5));
+}
+
+TEST_CASE("what is touched again and again does not fall asleep in between", "[idea]")
+{
+    for (const int every : {1, 3, 10}) {
+        World engine;
+        engine.add_wall({{0, 1}, 0});
+        const BodyId box_ = engine.add_body(body_at({0, 0.5}, 1)), other = engine.add_body(body_at({9, 0.5}, 1));
+        engine.step(frame);
+        int slept = 0;
+        for (int n = 0; n < 120; ++n) {
+            // friction stops it in the same step
+            if (n % every == 0) engine.push(box_, {0.01, 0}, engine.position(box_));
+            const bool was = engine.is_awake(box_);
+            engine.step(frame);
+            slept += was && !engine.is_awake(box_);
+        }
+        INFO(every);
+        CHECK(slept == 0);
+        CHECK_FALSE(engine.is_awake(other));
+        int more = 0;
+        while (more < 60 && engine.is_awake(box_)) engine.step(frame), ++more;
+        CHECK(std::abs(more + (119 % every) - 30) <= 2);
+    }
+}
+
+TEST_CASE("a joint that breaks in the step in which its body would sleep lets go", "[idea]")
+{
+    World engine;
+    const BodyId weight = engine.add_body(body_at({0, 0}, 1));
+    RigidJoint pin = engine.joint_at(JointKind::revolute, {}, weight, {0, 0});
+    pin.breaking_force = 9.7;  // less than its weight
+    const JointId joint = engine.add_joint({}, weight, pin);
+    engine.step(frame);
+    CHECK(engine.is_broken(joint));
+    CHECK(engine.events().broken.size() == 1);
+    for (int n = 0; n < 30; ++n) engine.step(frame);
+    CHECK(engine.position(weight).y() < -1);
+}
+
+TEST_CASE("a pin that is open a little closes before its body sleeps", "[idea]")
+{
+    for (const Real open : {1e-6, 1e-5, 1e-3}) {
+        World engine;
+        const BodyId weight = engine.add_body(body_at({0, -0.5}, 1));
+        engine.add_joint({}, weight, engine.joint_at(JointKind::revolute, {}, weight, {0, 0}));
+        engine.move(weight, {0, -0.5 - open}, 0);
+        int n = 0;
+        while (n < 30 && (n == 0 || engine.is_awake(weight))) engine.step(frame), ++n;
+        INFO(open);
+        CHECK(n > 1);   // where the step began it was open
+        CHECK(n < 10);
+        CHECK(engine.position(weight).y() == Approx(-0.5).margin(1e-8));
     }
 }
 

@@ -209,7 +209,7 @@ TEST_CASE("what comes to rest under another shape of a sleeper wakes it", "[hous
 
 TEST_CASE("a place that was another body's is looked at once", "[house]")
 {
-    World fresh, used;
+    World fresh({.sleep = false}), used({.sleep = false});
     for (World* const engine : {&fresh, &used})
         engine->add_wall({{0, 1}, 0}), engine->add_wall({{1, 0}, -0.5});
     const BodyId a = used.add_body(body_at({3, 3})), b = used.add_body(body_at({5, 3}));

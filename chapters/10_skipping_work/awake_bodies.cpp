@@ -19,7 +19,7 @@ void AwakeBodies::wake_by_changes(const DiscScene& scene,
     conditions = present;
     if (settings.pulled == world) return;
     set.wake(settings.pulled);
-    rests[static_cast<std::size_t>(settings.pulled)] = {};
+    rests[static_cast<std::size_t>(settings.pulled)] = disturbed;
 }
 
 void AwakeBodies::change_margin(const DiscScene& scene, Real margin)

@@ -18,11 +18,11 @@ void Sleepers<Dof>::stay_with_kinematic(const Bodies<Dof>& bodies,
         return k != world && set.is_awake(k) && !bodies.can_move(k);
     };
     for (const int k : set.awake)
-        if (kinematic(k)) rests[static_cast<std::size_t>(k)] = {};
+        if (kinematic(k)) rests[static_cast<std::size_t>(k)] = disturbed;
     const auto together = [&](std::initializer_list<Index> some) {
         if (std::none_of(some.begin(), some.end(), kinematic)) return;
         for (const Index k : some)
-            if (k != world) rests[static_cast<std::size_t>(k)] = {};
+            if (k != world) rests[static_cast<std::size_t>(k)] = disturbed;
     };
     for (const Row<Dof>& row : now.rows) together({row.a, row.b});
     for (const Bend& bend : now.bends)
@@ -118,10 +118,19 @@ void Sleepers<Dof>::fall_asleep(Scene& scene, const StepSettings& settings,
     if (!sleep) return;
     const RestSettings slow = in_metres(rest, length);
     const Real noise = method.solver.noise() * length;
+    // what a correction moves is in no velocity, and would be taken back
+    const auto moved = [&](int k) {
+        const Vec<Dof> way =
+            scene.bodies.position(k) - now.x_found.template segment<Dof>(Dof * k);
+        return measured_velocity(scene, k, way).norm();
+    };
     const auto restless = [&](int k) {
+        const Rest& so_far = rests[static_cast<std::size_t>(k)];
         const Vec<Dof> u = scene.bodies.velocity(k);
-        return !may_sleep(rests[static_cast<std::size_t>(k)],
-                          measured_velocity(scene, k, u).norm(), slow, noise);
+        const Real p = part_of_rest(so_far, slow);
+        return !may_sleep(so_far, measured_velocity(scene, k, u).norm(), slow,
+                          noise) ||
+               (p < 1 && moved(k) > p * p * slow.speed * settings.h);
     };
     if (std::all_of(set.awake.begin(), set.awake.end(), restless)) return;
 
@@ -151,6 +160,7 @@ void Sleepers<Dof>::fall_asleep(Scene& scene, const StepSettings& settings,
                 key_of(now.sources[static_cast<std::size_t>(row)], now.contacts),
                 now.solution.lambda[row] / settings.part());
         for (const int k : members) {
+            rests[static_cast<std::size_t>(k)] = disturbed;  // when it wakes
             scene.bodies.velocity(k).setZero();
             scene.bodies.position(k) = now.x_found.template segment<Dof>(Dof * k);
         }

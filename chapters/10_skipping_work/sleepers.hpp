@@ -68,7 +68,7 @@ struct Sleepers : PlainContacts {
         changed = true;
     }
 
-    /// A body that was woken starts from the forces that it fell asleep with, and has to rest again from the beginning.
+    /// A body that was woken starts from the forces that it fell asleep with, and has to rest again for all of t_rest.
     template <class Method>
     void take_in_the_woken(Method& method)
     {
@@ -76,7 +76,6 @@ struct Sleepers : PlainContacts {
         ImpulseCache nowhere;
         ImpulseCache* const kept = method.start.impulses();
         remember_woken(forces, set.woken, kept ? *kept : nowhere);
-        for (const int k : set.woken) rests[static_cast<std::size_t>(k)] = {};
         woken += static_cast<int>(set.woken.size());
         set.woken.clear();
         changed = true;

@@ -1,8 +1,10 @@
 /// \file sleeping.hpp
 /// When an island may sleep: it has been at rest for a time, and at rest means more than slow.
 ///
-///     ‖u‖ ≤ v_rest  and  ‖u − u_before‖ ≤ min(a_rest, s a) h   for each of its bodies, in each step, for the time t_rest,
-///     ‖u‖ ≤ max(½ top_speed, ε)   in the last step, for the greatest speed in that time: the motion dies out,
+///     ‖u‖ ≤ v_rest  and  ‖u − u_before‖ ≤ min(a_rest, s a) h   for each of its bodies, in each step, for a time t,
+///     u_max ≤ p² v_rest,   p = min(1, t/t_rest),   u_max the greatest speed in that time: what lies still need not be
+///                                                  watched for all of t_rest, unless something has just woken it
+///     ‖u‖ ≤ max(½ u_max, p² ε)     in the last step: the motion dies out,
 ///     and the step's answer was solved
 ///
 /// (10.7). Here a is the acceleration that a body would have if what acts on it had no counterforce, and s a small part of
@@ -41,9 +43,14 @@ void require_valid(const RestSettings& rest);
 
 /// How long a body has been at rest without a break, and its greatest speed in that time.
 struct Rest {
-    Real time = 0;       ///< [s]
-    Real top_speed = 0;  ///< since it was last slow to rest [m/s]
+    Real time = 0;       ///< t [s]
+    Real top_speed = 0;  ///< u_max, from before its first step on [m/s]
+    /// since it was woken or changed, at rest or not [s]
+    Real undisturbed = infinity;
 };
+
+/// Of a body that is woken or changed: what touches it in each step is not to send it to sleep in each.
+constexpr Rest disturbed{0, 0, 0};
 
 //! [rests]
 /// s: the part of what acts on a body that may be without a counterforce at rest.
@@ -63,20 +70,30 @@ Rest still_at_rest(const Rest& rest, const Vec<Dof>& u, const Vec<Dof>& before,
     const Real change = (u - before).norm();
     const bool steady =
         change <= settings.acceleration * h && acts(change / (unbalanced * h));
-    if (!slow || !steady) return {};
-    return {rest.time + h, std::max(rest.top_speed, u.norm())};
+    const Real undisturbed = rest.undisturbed + h;
+    if (!slow || !steady) return {0, 0, undisturbed};
+    return {rest.time + h, std::max({rest.top_speed, before.norm(), u.norm()}),
+            undisturbed};
 }
 
-/// And once it has lasted for long enough: does what is left of the motion die out?
-/// What glides on does not, nor what has begun to topple: that is faster than
-/// before.
-/// \param noise  slower than this it can't be distinguished from the error of the
-///               answers [m/s]
+/// p: the part of t_rest that it has lasted.
+inline Real part_of_rest(const Rest& rest, const RestSettings& settings)
+{
+    return std::min(Real{1}, rest.time / settings.time);
+}
+/// Has it lasted for long enough, and does what is left of the motion die out? What
+/// glides on does not, nor what has begun to topple: that is faster than before.
+/// \param noise  slower than this, after t_rest, it can't be distinguished from the
+///               error of the answers [m/s]
 inline bool may_sleep(const Rest& rest, Real speed, const RestSettings& settings,
                       Real noise)
 {
-    return rest.time >= settings.time &&
-           speed <= std::max(rest.top_speed / 2, noise);
+    const Real p = part_of_rest(rest, settings);
+    if (!(p > 0)) return false;
+    if (p < 1 && (rest.undisturbed < settings.time ||
+                  rest.top_speed > p * p * settings.speed))
+        return false;
+    return speed <= std::max(rest.top_speed / 2, p * p * noise);
 }
 //! [rests]
 

@@ -124,7 +124,7 @@ private:
         margin = found_within;
         if (settings.pulled != world) {
             set.wake(settings.pulled);
-            rests[static_cast<std::size_t>(settings.pulled)] = {};
+            rests[static_cast<std::size_t>(settings.pulled)] = disturbed;
         }
         std::sort(moved_.begin(), moved_.end());
         moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
@@ -171,7 +171,12 @@ private:
         const bool all_awake =
             std::all_of(changed_.begin(), changed_.end(),
                         [this](int k) { return set.is_awake(k); });
-        for (const int k : changed_) set.wake(k);
+        for (const int k : changed_) {
+            set.wake(k);
+            if (k >= known) continue;
+            Rest& so_far = rests[static_cast<std::size_t>(k)];
+            if (so_far.time > 0) so_far.undisturbed = 0;
+        }
         wake_of(touching.touching);
         if (!all_awake) wake_of(touching.resting);
         wake_of(scene.joints);

@@ -87,6 +87,9 @@ struct WithJoints : Contacts {
             one.broken = bears.force.norm() > joint.breaking_force ||
                          std::abs(bears.torque) > joint.breaking_torque;
             broken += one.broken;
+            for (const Index k :
+                 {joint.a, joint.b})  // it may just have fallen asleep
+                if (one.broken && k != world) this->wake(k);
         }
     }
 

@@ -183,7 +183,7 @@ void members(Archive& io, AwakeSet& it)
 template <class Archive>
 void members(Archive& io, Rest& it)
 {
-    io(it.time, it.top_speed);
+    io(it.time, it.top_speed, it.undisturbed);
 }
 template <class Archive>
 void members(Archive& io, SleepingForces::Entry& it)

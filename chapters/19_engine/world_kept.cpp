@@ -8,7 +8,7 @@ namespace rigid {
 
 namespace {
 
-constexpr std::string_view of_a_world = "rigid world 5\n",
+constexpr std::string_view of_a_world = "rigid world 6\n",
                            of_a_recording = "rigid recording 4\n";
 
 /// Payload with its heading and its hash, so that no other bytes are taken for it.

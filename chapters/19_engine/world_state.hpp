@@ -10,7 +10,7 @@
 #include "chapters/19_engine/told_changes.hpp"
 #include "chapters/19_engine/touching.hpp"
 
-#include <limits>
+#include <cmath>
 
 namespace rigid {
 
@@ -81,23 +81,24 @@ struct EngineState : KnownBodies {
 
     //! [disturb]
     /// Body k counts as changed: it wakes, and what touches it or hangs on it, when
-    /// the next step begins. It has to rest again from the beginning.
+    /// the next step begins, and has to rest for all of t_rest.
     void disturb(Index shape)
     {
         const Index k = scene.carrier(shape);
         changed = true;
         awake().watch.tell(k);
         if (auto& rests = awake().rests; k < static_cast<Index>(rests.size()))
-            rests[static_cast<std::size_t>(k)] = {};
+            rests[static_cast<std::size_t>(k)] = disturbed;
         displace(k);
     }
     //! [disturb]
 
-    /// Body k had no velocity in the step before: it was not there.
+    /// Body k had no velocity in the step before, and no rest: it was not there.
     void forget_motion(Index k)
     {
-        if (VecX& u = awake().u_before; 3 * k < u.size())
-            u.segment<3>(3 * k).setConstant(std::numeric_limits<Real>::quiet_NaN());
+        if (3 * k >= awake().u_before.size()) return;
+        awake().u_before.segment<3>(3 * k).setConstant(Real(NAN));
+        awake().rests[static_cast<std::size_t>(k)] = {};
     }
 
     /// The inverse mass of body k, and what hangs on it.

@@ -82,7 +82,6 @@ inline BodyId enter_body(EngineState& state, const BodyDefinition& body,
     if (carrier != world) list_shape(scene, k, carrier, middle, !body.sensor);
     else if (!scene.carried.empty()) list_shape(scene, k, k);
     scene.bodies.velocity(k) << body.velocity, body.spin;
-    state.forget_motion(k);
     BodyNotes& notes = state.note(k);
     notes = {body.filter, body.user, body.sensor, body.bullet};
     notes.mass = mass.mass, notes.inertia = mass.inertia;
@@ -97,6 +96,7 @@ inline BodyId enter_body(EngineState& state, const BodyDefinition& body,
     state.more_shapes += carrier != world;
     write_surface(state, k, body.surface);
     state.disturb(k);
+    state.forget_motion(k);
     state.list_unstopped(scene.carrier(k));
     if (state.is_ground(k)) wake_under(state, k);
     return id;

@@ -170,7 +170,7 @@ skipping_demo(const std::string& name, const std::string& summary, const View& v
                          "a body that is slower for rest_time is at rest", 1e-3,
                          1e-6, 0.1),
         tunables::number("rest_time", "s",
-                         "how long a body must be at rest before it sleeps", 0.5,
+                         "how long a body must rest before it sleeps, at most", 0.5,
                          0.01, 10),
         tunables::at_start(
             "skin", "m", "how far a disc may move before it queries the grid again",

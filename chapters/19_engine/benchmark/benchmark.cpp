@@ -288,7 +288,7 @@ void cost_of(benchmark::State& state, int bodies, int rolling)
         world.add_body(disc_of);
     }
     for (int i = 0; i < 60; ++i)
-        world.step(frame);  // after half a second piles sleep
+        world.step(frame);  // by then piles sleep
     std::vector<Real> times;
     for (auto _ : state)
         for (int i = 0; i < 20; ++i) {
