@@ -45,8 +45,8 @@ TEST_CASE("with the best momentum the slowest error of a line shrinks by 1 − s
     CHECK(s == Approx(rigid::sin(pi / (N + 1))).epsilon(1e-13));
     const VecX start = lambda;
     for (int k = 1; k <= 60; ++k) {
-        if (k > 1) momentum.extrapolate(beta, solver.wide);
-        wide_sweep(solver.wide, Real{0}, 1);
+        if (k > 1) momentum.go_on(beta, solver.wide);
+        wide_sweep(solver.wide, Real{0}, 1, momentum);
         solver.take_out(WideProblem<2>{rows}, u, lambda);
         // (17.13): a double root, begun by a sweep without momentum
         const Real part = std::pow(z, k) * (1 + k * s);
@@ -87,11 +87,10 @@ TEST_CASE("momentum pulls at no contact and leaves friction its bound", "[idea]"
     int stopped = 0;
     VecX before = lambda;
     for (int k = 0; k < 30; ++k) {
-        wide_sweep(solver.wide, Real{0}, 1);
-        solver.take_out(problem, u, lambda);
+        if (k > 0) momentum.go_on(0.9, solver.wide);
         const VecX further = lambda + 0.9 * (lambda - before);
         before = lambda;
-        momentum.extrapolate(0.9, solver.wide);
+        wide_sweep(solver.wide, Real{0}, 1, momentum);
         solver.take_out(problem, u, lambda);
         for (std::size_t i = 0; i < p.now.rows.size(); ++i) {
             const Row<3>& row = p.now.rows[i];

@@ -24,6 +24,7 @@ template <int L>
 struct Packet {
     int first = 0;  ///< its rows, in WideRows::rows
     int rows = 0;
+    int number = 0;  ///< how many of its colour and shape are before it
     /// where the velocities of the two bodies of each lane are, in WideRows::u
     std::array<int, static_cast<std::size_t>(L)> a{}, b{};
 };
@@ -165,9 +166,13 @@ void arrange(const std::vector<Row<Dof>>& rows, Index bodies,
         const auto last = static_cast<std::size_t>(out.sorted[n > 0 ? n - 1 : 0]);
         while (static_cast<int>(out.colour_first.size()) <= bundles.colour[g])
             out.colour_first.push_back(static_cast<int>(out.packets.size()));
-        if (used == lanes || bin(g) != bin(last) ||
-            bundles.colour[g] == Bundles::rest)
+        const bool alone = bundles.colour[g] == Bundles::rest,
+                   goes_on = n > 0 && !alone && bin(g) == bin(last);
+        if (used == lanes || !goes_on) {
+            const int number = goes_on ? out.packets.back().number + 1 : 0;
             used = 0, begin_packet(bundles, g, rows, nobody, out);
+            out.packets.back().number = number;
+        }
         Packet<L>& packet = out.packets.back();
         for (int k = bundles.first[g]; k < bundles.first[g + 1]; ++k) {
             const int i = bundles.rows[static_cast<std::size_t>(k)];

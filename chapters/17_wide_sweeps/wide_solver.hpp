@@ -62,8 +62,7 @@ struct WideSolver : PlainSolver {
     int threads = 1;  ///< that share a colour
     /// of floats: sweeps from one look with doubles to the next
     int pass = 20;
-    /// sweeps go further where they go on in one direction, (17.11)
-    bool momentum = false;
+    bool momentum = false;  ///< sweeps go further in their direction, (17.11)
     bool careless = false;  ///< to break it: all bundles have one colour
 
     // What is kept from step to step.
@@ -134,10 +133,11 @@ struct WideSolver : PlainSolver {
         for (int swept = 0; solution.iterations < most && off;) {
             if (!filled)
                 fill(problem, bundles, solution.lambda, u, wide), swept = 0;
-            if (momentum && filled) going.go_on(wide), visits_ += m;
+            if (momentum && filled) going.go_on(wide);
             else if (momentum) going.begin(wide);
             filled = true;
-            off = wide_sweep(wide, static_cast<T>(tolerance), team());
+            off = momentum ? wide_sweep(wide, T(tolerance), team(), going)
+                           : wide_sweep(wide, T(tolerance), team());
             visits_ += m;
             const bool last = ++solution.iterations == most || !off,
                        passed = in_differences<T> && ++swept == pass;

@@ -28,16 +28,25 @@ inline Lanes<T, L> reach_of(const WideRow<Dof, Lanes<T, L>>* rows,
     return rows[r].friction * push;
 }
 
+/// Nothing is done beside a visit.
+struct Nothing {
+    void before(int, auto&, const RowShape&, const auto&) {}
+    void after(int, const auto&) {}
+    Nothing visits(const auto&) { return {}; }
+    void note(std::size_t, const Nothing&) {}
+};
+
 //! [packet]
 /// Visits all rows of a packet, one after the other, L bundles side by side.
 /// \param excess     the largest |Δλ| − tolerance · mass so far: positive = a row
 ///                   was off by more than the tolerance
 /// \param tolerance  [m/s]
-template <int Dof, class T, int L>
+/// \param beside     what is done .before() and .after() each visit
+template <int Dof, class T, int L, class Beside = Nothing>
 void visit_packet(const Packet<L>& packet, WideRow<Dof, Lanes<T, L>>* rows,
                   const RowShape* shapes,
                   const LaneMasses<Dof, Lanes<T, L>>& inverse, T tolerance,
-                  Slot<Dof, T>* u, Lanes<T, L>& excess)
+                  Slot<Dof, T>* u, Lanes<T, L>& excess, Beside&& beside = {})
 {
     using V = Lanes<T, L>;
     V ua[Dof], ub[Dof];
@@ -45,8 +54,10 @@ void visit_packet(const Packet<L>& packet, WideRow<Dof, Lanes<T, L>>* rows,
     gather<Dof, T, L>(u, packet.b.data(), ub);
     for (int r = 0; r < packet.rows; ++r) {
         const V reach = reach_of<Dof, T, L>(rows, shapes, r);
+        beside.before(r, rows[r], shapes[r], reach);
         const V change =
             wide_visit<Dof, V>(rows[r], shapes[r], reach, inverse, ua, ub);
+        beside.after(r, rows[r]);
         const V off = size_of(change) - tolerance * rows[r].mass;
         excess = at_least(excess, off);
     }
@@ -56,22 +67,17 @@ void visit_packet(const Packet<L>& packet, WideRow<Dof, Lanes<T, L>>* rows,
 }
 //! [packet]
 
-/// Nothing is done before a packet is visited.
-struct Nothing {
-    void operator()(std::size_t) const {}
-};
-
 /// A colour with fewer packets than this is visited by one thread: to wait for others would take longer.
 constexpr int shared_packets = 64;
 
 //! [sweep]
 /// Visits each row once.
 /// \param threads  that share the packets of a colour
-/// \param before   (packet number): what is done to its rows before they are visited
+/// \param beside   what is done beside the .visits() of a packet
 /// \return         whether a row was found off by more than the tolerance
-template <int Dof, class T, int L, class Before = Nothing>
+template <int Dof, class T, int L, class Beside = Nothing>
 bool wide_sweep(WideRows<Dof, T, L>& all, T tolerance, int threads,
-                const Before& before = {})
+                Beside&& beside = {})
 {
     std::array<T, most_threads> excess;
     excess.fill(T{0});
@@ -87,12 +93,13 @@ bool wide_sweep(WideRows<Dof, T, L>& all, T tolerance, int threads,
             else if (member.number > 0) continue;
             for (auto p = static_cast<std::size_t>(first);
                  p < static_cast<std::size_t>(end); ++p) {
-                before(p);
                 const Packet<L>& packet = all.packets[p];
                 const auto row = static_cast<std::size_t>(packet.first);
+                auto visits = beside.visits(packet);
                 visit_packet<Dof, T, L>(packet, &all.rows[row], &all.shapes[row],
                                         all.inverse[p], tolerance, all.u.data(),
-                                        off);
+                                        off, visits);
+                beside.note(p, visits);
             }
         }
         excess[static_cast<std::size_t>(member.number)] = largest<L>(off);

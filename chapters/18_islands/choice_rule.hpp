@@ -21,6 +21,8 @@ struct ChoiceRule {
     int wide_joined = 300;
     /// entries of matrices that one solve may look at: some 40 ms
     std::int64_t entries = 40'000'000;
+    /// and sweeps over a heap that comes to rest, if that is enough: about a second
+    std::int64_t rest_entries = 800'000'000;
     /// and for each pair of its rows with bounds (18.7): what is solved needs half
     std::int64_t pair_entries = 500;
     /// proximal steps without a better residual: ε falls to its least in 37
@@ -70,6 +72,21 @@ inline std::int64_t rest_price(const IslandShape& shape, const ChoiceRule& rule)
     const Real guessed = 4 * shape.price_of_exact();
     if (shape.rows >= rule.large && guessed > most) return 0;  // by sweeps
     return std::int64_t(std::clamp(guessed, some, most));
+}
+/// A sweep with momentum over so many rows, at most: what goes further costs up to
+/// as much again [entries]
+inline std::int64_t price_of_momentum(std::int64_t rows)
+{
+    return 2 * rows * price::lane_visit;
+}
+/// Sweeps with momentum over a heap that comes to rest and that no exact solve may
+/// end: up to 23 N are needed (section 18.D). 0 where that is too much.
+inline int sweeps_to_rest(const IslandShape& shape, const ChoiceRule& rule)
+{
+    if (shape.has_joints() || may_be_exact(shape, rule)) return 0;
+    const std::int64_t sweeps = 30 * std::int64_t{shape.length};
+    const bool fits = sweeps * price_of_momentum(shape.rows) <= rule.rest_entries;
+    return fits ? static_cast<int>(sweeps) : 0;
 }
 /// Sweeps that may go over an island: as many as it needs, if it may be swept.
 inline int sweeps_worth(const IslandShape& shape, const ChoiceRule& rule, int least)

@@ -88,10 +88,10 @@ struct IslandNote {
     int lanes = 1;              ///< from so many rows on it is swept in lanes
     bool may_be_exact = false;  ///< where sweeps leave too much
     std::int64_t to_stand = 0;  ///< entries that sweeps may cost where it stands
-    std::int64_t to_settle =
-        0;            ///< and an exact solve where it comes to rest; 0 = none
-    Real enough = 0;  ///< a residual below this is none [m/s]
-    Real until = 0;   ///< sweeps end at this one [m/s]
+    int to_rest = 0;            ///< sweeps where it comes to rest; 0 = as it stands
+    std::int64_t to_settle = 0;  ///< or entries of an exact solve; 0 = none
+    Real enough = 0;             ///< a residual below this is none [m/s]
+    Real until = 0;              ///< sweeps end at this one [m/s]
 };
 
 class IslandPlaces {
@@ -215,6 +215,7 @@ private:
         note.to_stand = note.may_be_exact
                             ? static_cast<std::int64_t>(shape.price_of_exact())
                             : rule.entries;
+        note.to_rest = sweeps_to_rest(shape, rule);
         note.to_settle = rest_price(shape, rule);
         return note;
     }

@@ -4,7 +4,8 @@
 ///     it moves, a heap                            small steps of its own (heap_steps.hpp)
 ///     it moves, and something bounces             as many sweeps as are allowed
 ///     it stands                                   with momentum, as many as an exact solve may cost                          (18.4)
-///         and all of it is slow                   further, until velocities are none
+///         and all of it is slow                   further, until velocities are none: a heap that is too large to be solved
+///                                                 exactly, as many as that needs
 ///
 /// What stands begins its next step with this λ, so these sweeps are made once. What moves would have to make them in each step.
 #pragma once
@@ -33,9 +34,7 @@ struct WideIsland {
         bundle_rows(part.now.rows, part.local.count(), solver.bundles);
         solver.colour(part.local, part.now);
         part.now.same_rows = has_rows_ = true;
-        // by a sweep, and by what makes it go on in its direction
-        sweep_price_ =
-            2 * static_cast<std::int64_t>(rows.size()) * price::lane_visit;
+        sweep_price_ = price_of_momentum(static_cast<std::int64_t>(rows.size()));
         // 10⁶ sweeps are more than any island that is large can pay for
         standing = static_cast<int>(
             std::min<std::int64_t>(note.to_stand / sweep_price_, 1'000'000));
@@ -49,13 +48,19 @@ struct WideIsland {
         stepped = has_rows_ = false;
         part.gather(bodies, now);
         const StepData<3>& here = part.now;
-        const bool stays =
-            standing > note.sweeps &&
-            stand(here.active, part.local.u, here.u_star, here.length);
+        const int at_rest = std::max(standing, note.to_rest);
+        const bool stays = at_rest > note.sweeps && stand(here.active, part.local.u,
+                                                          here.u_star, here.length);
+        const bool rests = stays && are_slow(here.active, part.local.u,
+                                             slow * here.length, here.length);
         solver.sweeps = sweeps;
-        solver.sweeps.max_sweeps = stays ? standing : note.sweeps;
+        int& most = solver.sweeps.max_sweeps = note.sweeps;
+        if (stays) most = std::max(most, standing);
+        // once: what begins with as little has been there
+        if (rests && note.to_rest > 0 && first_residual() > sweeps.tolerance / 10)
+            most = at_rest;
         solver.sweeps.tolerance =
-            stays ? enough(note, slow, sweeps.tolerance) : note.until / now.length;
+            stays ? enough(note, rests, sweeps.tolerance) : note.until / now.length;
         solver.momentum = stays;
         solver.solve(part.local, part.now);
         part.scatter(bodies, now);
@@ -85,21 +90,31 @@ struct WideIsland {
     }
 
 private:
-    /// Where a heap rests, sweeps go on as far as an exact solve would; joints, which
-    /// need no guesses, are left to that.
+    /// Where a heap rests, sweeps go on as far as an exact solve would, and further
+    /// where none may follow: what is left of each contact adds up to the speed of the
+    /// top. Joints, which need no guesses, are left to an exact solve.
     /// \param tolerance  of the islands [ℓ/s]
-    Real enough(const IslandNote& note, Real slow, Real tolerance) const
+    static Real enough(const IslandNote& note, bool rests, Real tolerance)
     {
-        if (!note.may_be_exact) return tolerance / 10;
-        const StepData<3>& here = part.now;
-        const bool rests =
-            are_slow(here.active, part.local.u, slow * here.length, here.length);
         const bool is_left = note.joined && note.to_settle > 0;
-        return rests && !is_left ? settled(tolerance) : tolerance;
+        if (rests && note.to_rest > 0)
+            return std::max(settled(tolerance) / 10, rounding);
+        if (rests && note.may_be_exact && !is_left) return settled(tolerance);
+        return note.may_be_exact ? tolerance : tolerance / 10;
+    }
+    /// The natural residual of the impulses that it begins with [ℓ/s]
+    Real first_residual() const
+    {
+        const StepData<3>& here = part.now;
+        VecX u = here.u_star;
+        for (std::size_t i = 0; i < here.rows.size(); ++i)
+            here.rows[i].apply(here.solution.lambda[static_cast<Index>(i)], u);
+        return natural_residual(here.rows, here.solution.lambda, u) / here.length;
     }
 
-    std::int64_t sweep_price_ = 0;  ///< of what stands [entries]
-    bool has_rows_ = false;         ///< those of this sub-step are in `part`
+    static constexpr Real rounding = 1e-10;  ///< of thousands of sweeps [ℓ/s]
+    std::int64_t sweep_price_ = 0;           ///< of what stands [entries]
+    bool has_rows_ = false;  ///< those of this sub-step are in `part`
 };
 
 }  // namespace rigid
