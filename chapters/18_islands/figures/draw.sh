@@ -4,7 +4,7 @@
 [ -z "$table" ] || exit 0
 
 # Pictures of scenes.
-run --scene struck --set prices=1 --steps 20 --svg "$out/ch18_struck.svg"
+run --scene struck --set prices=1 --set sleep=0 --steps 20 --svg "$out/ch18_struck.svg"
 run --scene mixed --set bodies=60 --set sleep=0 --steps 60 --svg "$out/ch18_mixed.svg"
 
 # The picture of the small program.

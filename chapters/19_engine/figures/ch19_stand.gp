@@ -6,13 +6,13 @@ set datafile separator ','
 table = folder.'/../benchmark/engines.csv'
 worlds = ' pyramid_10 pyramid_20 pyramid_40 house_4 column_20 column_40 column_80 heavy_1000_on_10 piles_1000 boxes_100m '
 shown(world, who, steps, wanted, count) = strstrt(worlds, ' '.world.' ') && who eq wanted && steps == count
-fallen(moved) = moved > 1 ? 1 : moved
+fallen(moved) = moved > 1 ? 1 : moved < 1e-15 ? 1e-15 : moved
 set border 3 lc rgb '#808080'
 set tics nomirror textcolor rgb '#808080'
 set key top horizontal outside center textcolor rgb '#808080' samplen 1
 set logscale xy
 set format y '10^{%T}'
-set xrange [0.5:700]; set yrange [1e-15:3]
+set xrange [0.5:700]; set yrange [4e-16:3]
 set ytics 1e-15,1000,1; set mytics 1
 set xlabel 'time of four seconds [ms]' textcolor rgb '#808080'
 set ylabel 'moved [m]' textcolor rgb '#808080'
