@@ -87,9 +87,7 @@ struct WithJoints : Contacts {
             one.broken = bears.force.norm() > joint.breaking_force ||
                          std::abs(bears.torque) > joint.breaking_torque;
             broken += one.broken;
-            for (const Index k :
-                 {joint.a, joint.b})  // it may just have fallen asleep
-                if (one.broken && k != world) this->wake(k);
+            if (one.broken) wake_ends(joint);  // they may just have fallen asleep
         }
     }
 
@@ -119,9 +117,14 @@ struct WithJoints : Contacts {
             const PlacedJoint& one = scene.placed[i];
             if (one.broken == (was_broken[i] != 0)) continue;
             was_broken[i] = one.broken;
-            for (const Index k : {one.joint.a, one.joint.b})
-                if (k != world) this->wake(k);
+            wake_ends(one.joint);
         }
+    }
+
+    void wake_ends(const RigidJoint& joint)
+    {
+        for (const Index k : {joint.a, joint.b})
+            if (k != world) this->wake(k);
     }
 };
 //! [with_joints]

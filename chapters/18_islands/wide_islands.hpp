@@ -54,13 +54,13 @@ struct WideIsland {
         const bool rests = stays && are_slow(here.active, part.local.u,
                                              slow * here.length, here.length);
         solver.sweeps = sweeps;
-        int& most = solver.sweeps.max_sweeps = note.sweeps;
-        if (stays) most = std::max(most, standing);
-        // once: what begins with as little has been there
-        if (rests && note.to_rest > 0 && first_residual() > sweeps.tolerance / 10)
-            most = at_rest;
+        solver.sweeps.max_sweeps =
+            stays ? std::max(standing, note.sweeps) : note.sweeps;
         solver.sweeps.tolerance =
             stays ? enough(note, rests, sweeps.tolerance) : note.until / now.length;
+        // once: what begins with as little has been there
+        if (rests && note.to_rest > 0 && first_residual() > sweeps.tolerance / 10)
+            solver.sweeps.max_sweeps = at_rest;
         solver.momentum = stays;
         solver.solve(part.local, part.now);
         part.scatter(bodies, now);
@@ -102,14 +102,17 @@ private:
         if (rests && note.may_be_exact && !is_left) return settled(tolerance);
         return note.may_be_exact ? tolerance : tolerance / 10;
     }
-    /// The natural residual of the impulses that it begins with [ℓ/s]
-    Real first_residual() const
+    /// The natural residual of the impulses that it begins with [ℓ/s]; the velocities
+    /// of the part are then theirs, until it is solved.
+    Real first_residual()
     {
         const StepData<3>& here = part.now;
-        VecX u = here.u_star;
+        const VecX& lambda = here.solution.lambda;
+        for (const int k : here.active)
+            part.local.velocity(k) = here.u_star.segment<3>(3 * k);
         for (std::size_t i = 0; i < here.rows.size(); ++i)
-            here.rows[i].apply(here.solution.lambda[static_cast<Index>(i)], u);
-        return natural_residual(here.rows, here.solution.lambda, u) / here.length;
+            here.rows[i].apply(lambda[static_cast<Index>(i)], part.local.u);
+        return natural_residual(here.rows, lambda, part.local.u) / here.length;
     }
 
     static constexpr Real rounding = 1e-10;  ///< of thousands of sweeps [ℓ/s]
