@@ -6,7 +6,9 @@
 
 #include "chapters/17_wide_sweeps/line_rates.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace rigid;
 
@@ -114,6 +116,53 @@ TEST_CASE("momentum has the same bits in any number of lanes", "[house]")
     CHECK(same(one, answer(p, with_momentum<2>(), 70)));
     CHECK(same(one, answer(p, with_momentum<4>(), 70)));
     CHECK(same(one, answer(p, with_momentum<8>(), 70)));
+}
+
+TEST_CASE("sums of momentum have the same bundles in any number of lanes", "[house]")
+{
+    const Problem p = pyramid_problem(8);
+    const auto places = [&]<int L>(WideSolver<3, Real, L> solver) {
+        solver.begin(p.scene.bodies, p.now);
+        std::vector<int> of_rows(p.now.rows.size(), -1);
+        for (std::size_t i = 0; i < of_rows.size(); ++i)
+            for (const Packet<L>& packet : solver.wide.packets)
+                if (const auto [row, lane] = solver.wide.place[i];
+                    row >= packet.first && row < packet.first + packet.rows)
+                    of_rows[i] = packet.number * L + lane;
+        return of_rows;
+    };
+    const std::vector<int> one = places(WideSolver<3, Real, 1>{});
+    CHECK(*std::max_element(one.begin(), one.end()) > 8);
+    CHECK(*std::min_element(one.begin(), one.end()) == 0);
+    CHECK(places(WideSolver<3, Real, 2>{}) == one);
+    CHECK(places(WideSolver<3, Real, 4>{}) == one);
+    CHECK(places(WideSolver<3, Real, 8>{}) == one);
+}
+
+TEST_CASE("what momentum takes beyond a bound and a visit takes back is no change", "[idea]")
+{
+    using V = Lanes<Real, 1>;
+    Problem p = pyramid_problem(1);
+    WideSolver<3, Real, 1> solver;
+    solver.begin(p.scene.bodies, p.now);
+    VecX lambda = VecX::Ones(static_cast<Index>(p.now.rows.size()));
+    fill(WideProblem<3>{p.now.rows}, solver.bundles, lambda, p.now.u_star, solver.wide);
+    SweepMomentum<3, Real, 1> momentum;
+    momentum.begin(solver.wide);
+    for (auto& row : solver.wide.rows) row.lambda = V{};  // as a sweep has left them: at their bounds
+    momentum.go_on(0.5, solver.wide);
+    const Packet<1>& packet = solver.wide.packets[0];
+    auto visits = momentum.visits(packet);
+    for (int r = 0; r < packet.rows; ++r) {
+        const auto at = static_cast<std::size_t>(packet.first + r);
+        auto& row = solver.wide.rows[at];
+        visits.before(r, row, solver.wide.shapes[at], V{});
+        CHECK(lane(row.lambda, 0) == -0.5);
+        row.lambda = V{};
+        visits.after(r, row);
+    }
+    CHECK(lane(visits.most, 0) == 0);
+    CHECK(lane(visits.back, 0) == 0);
 }
 
 TEST_CASE("λ and u belong together whatever momentum has done", "[idea]")
