@@ -324,6 +324,26 @@ TEST_CASE("a pyramid of thousands of boxes is solved to its end once and then sl
     CHECK(sweeps_to_rest(shape, rule) == 0);
 }
 
+TEST_CASE("a wall that is wider than it is high is swept with momentum where it rests", "[house]")
+{
+    // 15 high, it is worth 337 sweeps, (18.1), and of so many rows (18.4) affords fewer
+    RigidScene bricks;
+    bricks.walls.push_back({{0, 1}, 0});
+    Random random(1);
+    for (int row = 0; row < 15; ++row)
+        for (int i = 0; i < 300 - row; ++i)
+            add_body(bricks, box(1, 1), 1, {1.05 * (i + 0.5 * row) + random.uniform(-1e-4, 1e-4), 0.5 + row});
+    IslandsUnderTest run(rough_scene(bricks));
+    run.step();
+    const auto rows = static_cast<int>(run.now.rows.size());
+    CHECK(40'000'000 / (4 * rows) < 337);
+    CHECK(run.method.solver.unsolved == 0);
+    CHECK(run.method.solver.most_sweeps <= 30 * 15);
+    CHECK(run.now.solution.residual <= 1e-8);
+    for (int i = 0; i < 5; ++i) run.step();
+    CHECK(run.awake() == 0);
+}
+
 TEST_CASE("what moves is not swept as if it stood", "[idea]")
 {
     IslandsUnderTest run(net_scene(20));  // one body of it has a push
