@@ -882,7 +882,8 @@ TEST_CASE("for two balls and a wall by hand the exact island gives what (10.10) 
 
 // ---- sleeping --------------------------------------------------------------------------------------
 
-TEST_CASE("a body that lies still falls asleep in its first step and woken after exactly T over h steps", "[idea]")
+TEST_CASE("a body that lies still falls asleep in its first step and woken after exactly T over h steps",
+          "[idea]")
 {
     for (const Real h : {1.0 / 60, 1.0 / 64, 1.0 / 240, 1.0 / 1000}) {
         SkippingWorld now = world_of(columns(1, 1));
@@ -897,7 +898,8 @@ TEST_CASE("a body that lies still falls asleep in its first step and woken after
     }
 }
 
-TEST_CASE("the slower a body is the sooner it may sleep and what begins to move is watched as closely", "[idea]")
+TEST_CASE("the slower a body is the sooner it may sleep and what begins to move is watched as closely",
+          "[idea]")
 {
     const RestSettings rest;
     const Real noise = 1e-4;

@@ -384,8 +384,7 @@ TEST_CASE("a disc that rolls keeps a heap awake and rolling resistance lets it s
             asleep += rough.awake() == 0;
         }
         INFO(bodies << " bodies");
-        CHECK(asleep >
-              100);  // in the engine fifteen pours after 178 to 381 steps, one after 542
+        CHECK(asleep > 100);  // in the engine fifteen pours after 178 to 381 steps, one after 542
         if (smooth.awake() == 0) continue;
         ++awake;
         CHECK(smooth.awake() == bodies);
@@ -406,7 +405,7 @@ TEST_CASE("a disc that rolls keeps a heap awake and rolling resistance lets it s
     }
     CHECK(moving <= 4 * awake);  // a disc, and what leans on it
     CHECK(quick >= awake - 1);
-    CHECK(awake >= 2);           // 4 of 6: whether a disc rolls is chance
+    CHECK(awake >= 2);  // 4 of 6: whether a disc rolls is chance
 }
 
 TEST_CASE("in small steps C and J of a contact are those of where its bodies are", "[house]")

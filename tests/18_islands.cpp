@@ -292,8 +292,8 @@ TEST_CASE("a pyramid that no exact solve can afford stands and falls asleep", "[
         REQUIRE(run.price() < 5 * ChoiceRule{}.entries);
     }
     CHECK(sweeps > 300);
-    CHECK(sweeps < 3000);  // without momentum it takes 36,700
-    CHECK(steps <= 3);  // solved to the end, it is known to be still
+    CHECK(sweeps < 3000);                             // without momentum it takes 36,700
+    CHECK(steps <= 3);                                // solved to the end, it is known to be still
     CHECK((run.position(last) - top).norm() < 1e-6);  // with 60 sweeps a step 0.027
 }
 

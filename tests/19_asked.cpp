@@ -581,7 +581,8 @@ TEST_CASE("what is touched again and again does not fall asleep in between", "[i
     for (const int every : {1, 3, 10}) {
         World engine;
         engine.add_wall({{0, 1}, 0});
-        const BodyId box_ = engine.add_body(body_at({0, 0.5}, 1)), other = engine.add_body(body_at({9, 0.5}, 1));
+        const BodyId box_ = engine.add_body(body_at({0, 0.5}, 1)),
+                     other = engine.add_body(body_at({9, 0.5}, 1));
         engine.step(frame);
         int slept = 0;
         for (int n = 0; n < 120; ++n) {
@@ -624,7 +625,7 @@ TEST_CASE("a pin that is open a little closes before its body sleeps", "[idea]")
         int n = 0;
         while (n < 30 && (n == 0 || engine.is_awake(weight))) engine.step(frame), ++n;
         INFO(open);
-        CHECK(n > 1);   // where the step began it was open
+        CHECK(n > 1);  // where the step began it was open
         CHECK(n < 10);
         CHECK(engine.position(weight).y() == Approx(-0.5).margin(1e-8));
     }

@@ -287,8 +287,7 @@ void cost_of(benchmark::State& state, int bodies, int rolling)
         disc_of.spin = 2;
         world.add_body(disc_of);
     }
-    for (int i = 0; i < 60; ++i)
-        world.step(frame);  // by then piles sleep
+    for (int i = 0; i < 60; ++i) world.step(frame);  // by then piles sleep
     std::vector<Real> times;
     for (auto _ : state)
         for (int i = 0; i < 20; ++i) {
