@@ -287,6 +287,31 @@ TEST_CASE("an exact solver and sequential impulses move the bodies alike", "[ide
     }
 }
 
+TEST_CASE("impulses that cancel in the last digits are not called solved", "[idea]")
+{
+    // One rod twice, with u* = (1.3, 0.4) along it: both share one speed, 0.85 m/s. From ±1e17 N s on, the velocities of
+    // the start are lost in its rounding, u = (0, 0), and w = 0 says nothing.
+    Bodies<2> bodies(2);
+    bodies.x << 0, 0, 1, 0;
+    const Row<2> rod = bilateral(distance_constraint(bodies.x, {0, 1, 1}), bodies.inverse_mass);
+    const auto solved_from = [&](Real start, VecX& u) {
+        u.resize(4);
+        u << 1.3, 0, 0.4, 0;
+        ImpulseMemory<2> memory;
+        Solution solution;
+        solution.lambda.resize(2);
+        solution.lambda << start, -start;
+        sequential_impulse<2>({rod, rod}, {}, {.max_sweeps = 100, .tolerance = 1e-6}, memory, u, solution);
+        CHECK(solution.residual <= 1e-6);
+        return solution.status;
+    };
+    VecX u;
+    CHECK(solved_from(1e17, u) == Status::iteration_limit);
+    CHECK(solved_from(1e6, u) == Status::solved);
+    CHECK(u[0] == Approx(0.85).margin(1e-6));
+    CHECK(u[2] == Approx(0.85).margin(1e-6));
+}
+
 TEST_CASE("rows that nothing moves take their bound or are called infeasible", "[idea]")
 {
     VecX inverse_mass = VecX::Zero(4);
@@ -916,6 +941,32 @@ TEST_CASE("rows that part take no part in an impact and impacts in turn end at t
     sequential_impacts<2>(rows_now(), 0.5, 1e-9, 1000, u, solution);
     CHECK(solution.status == Status::solved);
     CHECK(solution.residual <= 1e-9);
+}
+
+TEST_CASE("impacts in turn are not over while two that cannot move approach or a velocity is no number",
+          "[idea]")
+{
+    Bodies<2> bodies(2);
+    bodies.x << 0, 0, 1, 0;
+    VecX u(4);
+    u << 0, 0, -1, 0;
+    Solution solution;
+    const auto status_of = [&] {
+        sequential_impacts<2>({unilateral(distance_constraint(bodies.x, {0, 1, 1}), bodies.inverse_mass)}, 1,
+                              1e-9, 10, u, solution);
+        return solution.status;
+    };
+    bodies.inverse_mass.setZero();
+    CHECK(status_of() == Status::infeasible);
+    CHECK(solution.residual == 1);
+    CHECK(u[2] == -1);
+    u[2] = 1;  // they part
+    CHECK(status_of() == Status::solved);
+    CHECK(solution.residual == 0);
+    bodies.inverse_mass.setOnes();
+    u << std::nan(""), 0, -1, 0;
+    CHECK(status_of() == Status::iteration_limit);
+    CHECK(std::isnan(solution.residual));
 }
 
 TEST_CASE("a swinging cradle throws as many balls as fall on it one by one and all of them at once", "[idea]")

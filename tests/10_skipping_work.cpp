@@ -252,6 +252,43 @@ TEST_CASE("a pair at the very edge of the margin is found as all pairs find it",
     CHECK(touching < 2500);
 }
 
+TEST_CASE("sort and sweep loses no pair at the very edge of the margin", "[idea]")
+{
+    // Two discs one behind the other along x or y, within a few roundings of the edge; every third is a giant.
+    const auto is_found = [](const DiscScene& scene, Real margin, int axis) {
+        SortAndSweep memory;
+        bool found = false;
+        sort_and_sweep(scene.bodies.x, scene.radius, margin, axis, memory, [&](int, int) { found = true; });
+        return found;
+    };
+    Random random(8);
+    Contact contact;
+    int touching = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Real large = trial % 3 == 0 ? std::pow(10, random.uniform(0, 8)) : 1;
+        const Real ra = random.uniform(0.01, 2), rb = large * random.uniform(0.01, 2),
+                   margin = random.uniform(0, 0.1);
+        const Real distance = (ra + rb + margin) * (1 + 1e-16 * random.uniform(-8, 8));
+        const Real power = random.uniform(-3, 6), from = std::pow(10, power) * random.normal();
+        const int axis = trial % 2;
+        const Vec2 along = axis == 0 ? Vec2(1, 0) : Vec2(0, 1);
+        DiscScene scene = empty_scene(2);
+        set_disc(scene, 0, from * along, ra);
+        set_disc(scene, 1, (from + (trial % 4 < 2 ? distance : -distance)) * along, rb);
+        if (!touches(scene, 0, 1, margin, contact)) continue;
+        ++touching;
+        REQUIRE(is_found(scene, margin, axis));
+    }
+    CHECK(touching > 5000);
+    CHECK(touching < 15000);
+
+    DiscScene scene = empty_scene(2);
+    set_disc(scene, 0, {648.35939396343053, 0}, 0.47320917087271325);
+    set_disc(scene, 1, {649.41201057718695, 0}, 0.55940744288372068);
+    CHECK(touches(scene, 0, 1, 0.02, contact));
+    CHECK(is_found(scene, 0.02, 0));
+}
+
 TEST_CASE("a giant among grains and grains on a giant are found", "[idea]")
 {
     DiscScene scene = scattered(2000, 0.2, 1, 4);
@@ -682,6 +719,22 @@ TEST_CASE("an island is said to be solved only when its residual is below the to
     CHECK(traps > 50);
 }
 
+TEST_CASE("a slow island without an impulse is solved though it is swept to a part of its impulses", "[idea]")
+{
+    // Three columns that touch and do not push, without gravity: nothing moves, and each answer is exact.
+    DiscScene scene = columns(3, 5);
+    scene.gravity = {0, 0};
+    SkippingSettings settings = early_out();
+    settings.exact_rows = 0;
+    settings.sleep = false;
+    SkippingWorld now = world_of(scene);
+    now.method.solver.slow = 1e-3;
+    skipping_step(now, settings);
+    CHECK(now.counters.rows > 10);
+    CHECK(now.found.solution.lambda.isZero(0));
+    CHECK(now.counters.unsolved == 0);
+}
+
 TEST_CASE("small islands that are solved exactly have the answer that many sweeps approach", "[idea]")
 {
     const DiscScene scene = rain_on_hills(60, 6, 6);
@@ -1072,6 +1125,23 @@ TEST_CASE("a disc that glides on forever does not fall asleep however slowly it 
         run(now, settings, 60);
         CHECK(now.method.contacts.set.is_awake(0) == (speed > 1e-6));
     }
+}
+
+TEST_CASE("what is changed while it is awake rests for all of the time of rest", "[idea]")
+{
+    // It glides for 10 s and is slow all the time, then it is braked to less than half of that.
+    DiscScene scene = columns(1, 1);
+    scene.bodies.u[0] = 9e-4;
+    const SkippingSettings settings = early_out(1.0 / 64);
+    SkippingWorld now = world_of(scene);
+    run(now, settings, 640);
+    REQUIRE(now.method.contacts.set.is_awake(0));
+    set_velocity(now, 0, {4e-4, 0});
+    run(now, settings, 128);
+    CHECK(now.method.contacts.set.is_awake(0));  // it glides on
+    // what is stopped sleeps after half a second
+    set_velocity(now, 0, {0, 0});
+    CHECK(steps_to_sleep(now, settings) == 32);
 }
 
 TEST_CASE("a swing that never exceeds the speed of rest is frozen at most v over omega from its middle as in "
@@ -1613,6 +1683,21 @@ TEST_CASE("when the floor is taken away all bodies fall as if none had slept", "
     CHECK(now.scene.bodies.velocity(0).y() < -0.5);
 }
 
+TEST_CASE("a fixed disc that is changed in each step while all sleep is listed once", "[house]")
+{
+    DiscScene scene = columns(2, 1);
+    scene.bodies.inverse_mass.head<2>().setZero();
+    const SkippingSettings settings = early_out();
+    SkippingWorld now = world_of(scene);
+    steps_to_sleep(now, settings);
+    for (int i = 0; i < 100; ++i) {
+        change_disc(now, 0, {0, 0.1 + 1e-3 * i}, {0, 0}, 0);
+        skipping_step(now, settings);
+        REQUIRE(now.method.contacts.set.awake.empty());
+    }
+    CHECK(now.method.contacts.set.woken == std::vector<int>{0});
+}
+
 TEST_CASE("two changes of one disc between two steps count as one", "[idea]")
 {
     DiscScene scene = columns(3, 1);
@@ -2137,6 +2222,10 @@ TEST_CASE("bad input is refused by a sentence", "[house]")
     filter.group = {0, 1, 2, 64};
     says([&] { make_world(scene, filter); }, "group 64");
     says([&] { make_world(scene, forbid_pairs(3, {})); }, "another number of discs than 4");
+    CollisionFilter single;
+    single.filters.resize(4);
+    says([&] { make_world(scene, single); },
+         "there are 4 filters of single bodies; a world of discs knows groups");
     DiscScene lopsided = scene;
     lopsided.bodies.inverse_mass[2] = 7;
     says([&] { make_world(lopsided, {}); }, "disc 1 has two different masses");
@@ -2183,6 +2272,8 @@ TEST_CASE("bad input is refused by a sentence", "[house]")
     says([&] { change_disc(now, 0, {0, 0}, {infinity, 0}, 1); }, "the velocity inf");
     says([&] { change_disc(now, 0, {0, 0}, {0, 0}, -1); }, "the inverse mass -1 1/kg");
     says([&] { take_away(now, 9); }, "no disc 9 among 4");
+    says([&] { wake_around(now, 4); }, "no disc 4 among 4");
+    says([&] { wake_around(now, -1); }, "no disc -1 among 4");
     says([&] { change_walls(now, {{{0, 2}, 0}}); }, "wall 0");
     says([&] { filter.set_meets(1, 64, false); }, "groups 1 and 64");
     DiscScene empty = empty_scene(0);

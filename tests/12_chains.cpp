@@ -162,6 +162,11 @@ TEST_CASE("a chain that makes no sense is refused with a sentence", "[house]")
     CHECK(sentence_of([&] {
               add_chain(scene, {{0, 0}, {1, 0}, {1, 0}});
           }) == "edge 1 of the chain goes from (1, 0) to (1, 0); both must be finite, and they must differ");
+    CHECK(sentence_of([&] {
+              add_chain(scene, {{0, 0}, {1, 0}, {1e80, 0}});
+          }).find("1e75") != std::string::npos);
+    CHECK(scene.bodies.count() == 0);  // what is refused leaves nothing behind
+    CHECK(scene.chains.empty());
     const auto stepped = [](const Chain& chain, bool moves) {
         RigidScene other;
         add_chain(other, {{1, 0}, {0, 0}});
@@ -225,6 +230,32 @@ TEST_CASE("what is fast meets what comes towards it slowly", "[idea]")
     CHECK(method.contacts.fast.impacts == 1);
     // 1.7 τ + 0.1 = 2 − 0.4 τ, and it stops at a gap of at most half a margin
     CHECK(scene.bodies.x[3 * b] == Approx(1.7 * 1.9 / 2.1).margin(0.01));
+}
+
+TEST_CASE("what nothing can move goes all of its way however fast and stops what is fast behind it", "[idea]")
+{
+    // A box that is driven at 60 m/s, 1 m a step, with a light disc at rest in its way, or a faster one behind it.
+    for (const Real from : {0.6, -0.5}) {
+        RigidScene scene;
+        scene.length = 1;
+        scene.gravity = {0, 0};
+        add_body(scene, box(0.2, 0.2), Mass{}, {0, 0});
+        add_body(scene, disc(0.05), 1, {from, 0});
+        scene.bodies.u[0] = 60;
+        scene.bodies.u[3] = from < 0 ? 120 : 0;
+        ManifoldExact method = exact();
+        StepData<3> now;
+        for (int n = 1; n <= 5; ++n) {
+            step(scene, {.h = 1.0 / 60}, method, now);
+            CHECK(scene.bodies.x[0] == Approx(n).epsilon(1e-14));
+            CHECK(scene.bodies.u[0] == 60);
+            CHECK(scene.bodies.x[3] <= scene.bodies.x[0] - 0.15);  // behind it
+            if (n > 1) continue;
+            // the slow disc is passed; the fast one meets it where −0.45 + 2 τ = −0.1 + τ, up to half a margin
+            CHECK(method.contacts.fast.impacts == (from < 0));
+            CHECK(scene.bodies.x[3] == Approx(from < 0 ? 0.2 : 0.6).margin(0.02));
+        }
+    }
 }
 
 TEST_CASE("slender rods that stop each other in every step gain no energy in any step", "[idea]")

@@ -2,6 +2,7 @@
 
 #include "tests/no_allocation.hpp"
 
+#include "chapters/12_contact_manifolds/awake_manifolds.hpp"
 #include "chapters/12_contact_manifolds/casts.hpp"
 #include "chapters/12_contact_manifolds/names_kept.hpp"
 #include "chapters/12_contact_manifolds/stacks.hpp"
@@ -41,13 +42,6 @@ Manifold at_poses(const Polygon& a, const Vec<3>& pa, const Polygon& b, const Ve
 {
     const PlacedShape one(a, pa), two(b, pb);
     return collide(one.view(), two.view(), how);
-}
-
-Real deepest(const Manifold& m)
-{
-    Real gap = infinity;
-    for (int i = 0; i < m.count; ++i) gap = std::min(gap, m.points[static_cast<std::size_t>(i)].gap);
-    return gap;
 }
 
 /// J u beside the difference of C over a short time to both sides.
@@ -157,7 +151,7 @@ TEST_CASE("C of a contact at other positions is the gap there to second order", 
     const Contact contact{0, 1, m.normal, p.gap, p.feature, p.point};
     std::vector<Real> errors;
     for (const Real t : {0.04, 0.02, 0.01, 0.005, 0.0025})
-        errors.push_back(std::abs(contact_constraint(contact, x, x + t * u).C - deepest(manifold_at(t))));
+        errors.push_back(std::abs(contact_constraint(contact, x, x + t * u).C - manifold_at(t).deepest()));
     CHECK(std::abs(order_of(errors) - 2) <= 0.15);
 }
 
@@ -189,7 +183,7 @@ TEST_CASE("C of a contact is the gap at other positions as long as the same feat
             const Contact contact{0,         1,       found.normal,         p.gap,
                                   p.feature, p.point, a.radius + p.gap / 2, b.radius + p.gap / 2,
                                   0,         0,       found.normal_of};
-            CHECK(std::abs(contact_constraint(contact, x_found, x).C - deepest(now)) <= 1e-14);
+            CHECK(std::abs(contact_constraint(contact, x_found, x).C - now.deepest()) <= 1e-14);
         }
 }
 
@@ -241,7 +235,7 @@ TEST_CASE("the deepest gap of random shapes is their distance by Minkowski diffe
         const Manifold m = at_poses(pair.a, pair.at_a, pair.b, pair.at_b);
         const Real truth = by_force::distance(pair);
         REQUIRE(m.count > 0);
-        worst = std::max(worst, std::abs(deepest(m) - truth));
+        worst = std::max(worst, std::abs(m.deepest() - truth));
     }
     CHECK(worst <=
           1e-9);  // rounding of sums of numbers of size 5: 1e-15, and what nearly parallel edges make of it
@@ -776,6 +770,24 @@ TEST_CASE("the bodies at a point are those whose distance from it is not positiv
     CHECK(inside > 100);
 }
 
+TEST_CASE("a point that is not finite is in no shape and a ray from there is refused with a sentence",
+          "[house]")
+{
+    for (const Polygon& shape : {disc(1), box(1, 1), capsule(1, 0.1)}) {
+        const PlacedShape placed(shape, {0, 0, 0});
+        for (const Real x : {std::nan(""), infinity}) {
+            CHECK(distance_to(placed.view(), {x, 0}) == infinity);
+            CHECK(sentence_of([&] {
+                      cast({{x, 0}, {1, 0}}, placed.view());
+                  }) == "a ray begins at (" + shortest(x) + ", 0) and goes (1, 0); both must be finite");
+            CHECK(sentence_of([&] {
+                      cast({{3, 0}, {0, x}}, placed.view());
+                  }) == "a ray begins at (3, 0) and goes (0, " + shortest(x) + "); both must be finite");
+        }
+    }
+    CHECK(Manifold{}.deepest() == infinity);
+}
+
 // ---- fast bodies
 
 TEST_CASE("a bullet stays on its side of a wall of one centimetre and a spinning rod before a post", "[idea]")
@@ -879,10 +891,10 @@ TEST_CASE("the manifold moves as little as its shapes do except where a face or 
         const Manifold m = at_poses(pair.a, pair.at_a, pair.b, pair.at_b),
                        w = at_poses(pair.a, pair.at_a, pair.b, moved);
         // The deepest gap is a distance: it moves no faster than the shapes do, everywhere.
-        CHECK(std::abs(deepest(m) - deepest(w)) <= 1e-6);
+        CHECK(std::abs(m.deepest() - w.deepest()) <= 1e-6);
         if ((m.normal - w.normal).norm() > 1e-4) ++jumps;
         if (m.face != w.face) ++named;
-        else if (deepest(m) > -pair.a.radius - pair.b.radius + 1e-3)
+        else if (m.deepest() > -pair.a.radius - pair.b.radius + 1e-3)
             CHECK((m.normal - w.normal).norm() <= 1e-3);  // 1e-7 turned at a distance of 1e-3
     }
     CHECK(jumps <= named);
@@ -1009,6 +1021,57 @@ TEST_CASE("where one end of an edge is looked for ahead so is the other", "[idea
             step(scene, {.h = 1.0 / 60}, method, now);
             CHECK(now.contacts.size() == (speed > 0 ? 2 : 0));
         }
+}
+
+TEST_CASE("what no longer looks ahead has no reach left and what pulls besides gravity is looked ahead for",
+          "[house]")
+{
+    // A disc 0.1 m over a floor, five margins, pulled towards it by 1000 m/s²: 0.28 m in a step.
+    RigidScene scene;
+    scene.length = 1;
+    scene.gravity = {0, 0};
+    scene.walls.push_back({{0, 1}, 0});
+    add_body(scene, disc(0.5), 1, {0, 0.6});
+    add_body(scene, disc(0.5), 1, {1.1, 0.6});
+    ManifoldSweeps method;
+    Manifolds& stage = method.contacts;
+    StepData<3> now;
+    const auto rows = [&](Real ahead, std::vector<Real> falls) {
+        stage.ahead = ahead;
+        stage.falls = std::move(falls);
+        stage.begin(scene, {.h = 1.0 / 60}, method, now);
+        const std::size_t in_all = now.contacts.size();
+        const std::vector<int> both = {0, 1};
+        stage.begin_with(scene, 0.02, 1.0 / 60, both, now);
+        CHECK(now.contacts.size() == in_all);
+        return in_all;
+    };
+    CHECK(rows(1, {}) == 0);
+    CHECK(rows(1, {1000, 1000}) == 3);
+    CHECK(rows(0, {1000, 1000}) == 0);
+    CHECK(stage.finder.reach.empty());
+    CHECK(stage.ways.empty());
+}
+
+TEST_CASE("what is changed while it is awake rests for all of the time of rest before it sleeps", "[idea]")
+{
+    RigidScene scene;
+    scene.length = 1;
+    scene.walls.push_back({{0, 1}, 0});
+    add_body(scene, disc(0.5), 1, {0, 0.5});
+    scene.bodies.u[0] = 9e-4;
+    SweepsWith<AwakeManifolds> method;
+    run(scene, method, 1.0 / 60, 600);
+    REQUIRE_FALSE(method.contacts.is_asleep(0));
+    // A disc that glides slowly, and is braked to less than half of its speed, still glides on.
+    scene.bodies.u[0] = 4e-4;
+    run(scene, method, 1.0 / 60, 120);
+    CHECK_FALSE(method.contacts.is_asleep(0));
+    scene.bodies.u[0] = 0;
+    run(scene, method, 1.0 / 60, 29);
+    CHECK_FALSE(method.contacts.is_asleep(0));
+    run(scene, method, 1.0 / 60, 2);
+    CHECK(method.contacts.is_asleep(0));
 }
 
 TEST_CASE("a pile of all shapes comes to rest in its trough and nothing is not finite", "[idea]")

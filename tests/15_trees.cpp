@@ -584,6 +584,27 @@ TEST_CASE("a body that hangs on two platforms follows each of them", "[idea]")
     CHECK(std::abs(scene.bodies.velocity(swing)[2] + 0.75) <= 1e-12);
 }
 
+TEST_CASE("rows that close a loop and depend on the others are called singular", "[house]")
+{
+    for (const Real speed : {0.5, 0.0}) {
+        JointedScene scene;
+        for (Index k = 0; k < 2; ++k) add_body(scene, box(1, 0.1), 1.0, {k + 0.5, 0});
+        const Index driven = add_body(scene, box(1, 0.1), Mass{}, {2.5, 0});
+        scene.bodies.velocity(driven)[0] = speed;
+        for (const auto& [a, b] : {std::pair{world, Index{0}}, {Index{0}, Index{1}}, {driven, Index{1}}})
+            add_joint(scene,
+                      joint_at(scene, JointKind::weld, a, b, {b == 1 && a == driven ? 2.0 : Real(b), 0}));
+        Trees method;
+        method.correction.most_follow = 0;
+        StepData<3> now;
+        step(scene, {}, method, now);
+        CAPTURE(speed, now.solution.residual);
+        // welded to the world at one end and to what goes away at the other: no velocity answers both
+        CHECK(now.solution.residual == Approx(speed).margin(1e-12));
+        CHECK(now.solution.status == (speed > 0 ? Status::singular : Status::solved));
+    }
+}
+
 TEST_CASE("an impulse or a velocity that is no number is a residual without end wherever it stands",
           "[house]")
 {
@@ -651,4 +672,19 @@ TEST_CASE("coordinates of joints refuse what they cannot say", "[house]")
     add_body(floats, box(1, 1), 1.0, {0, 0});
     CHECK(sentence_of([&] { ReducedTree tree(floats); }) ==
           "body 0 hangs on no joint; coordinates of joints start from the world");
+    JointedScene ring;
+    for (Index k = 0; k < 3; ++k) add_body(ring, box(1, 1), 1.0, {Real(k), 0});
+    for (Index k = 0; k < 3; ++k)
+        add_joint(ring, joint_at(ring, JointKind::revolute, k, (k + 1) % 3, {Real(k), 0.5}));
+    CHECK(sentence_of([&] { ReducedTree tree(ring); }) ==
+          "body 0 hangs on a ring of joints, which no coordinate of them places; coordinates of joints start "
+          "from the world");
+    JointedScene held;
+    add_body(held, box(1, 1), 1.0, {0, 0});
+    add_body(held, box(1, 1), Mass{}, {1, 0});
+    add_joint(held, joint_at(held, JointKind::revolute, world, 0, {-0.5, 0}));
+    add_joint(held, joint_at(held, JointKind::revolute, 0, 1, {0.5, 0}));
+    CHECK(
+        sentence_of([&] { ReducedTree tree(held); }) ==
+        "joint 1 holds body 1, which cannot move, as its b; what moves must hang on what does not, as its a");
 }

@@ -453,6 +453,35 @@ TEST_CASE("points in one place leave block descent a finite step", "[house]")
     CHECK(scene.bodies.x.norm() < 0.0028);
 }
 
+TEST_CASE("block descent moves a body that nothing turns where its mass moves it", "[house]")
+{
+    // a box that may not turn, between a spring and the ground, and another that may only turn
+    JointedScene scene = stack(1);
+    scene.bodies.inverse_mass[2] = 0;
+    const Index wheel = add_body(scene, disc(0.2), 1.0, {9, 9});
+    scene.bodies.inverse_mass.segment<2>(3 * wheel).setZero();
+    scene.surfaces.resize(scene.shapes.size());
+    RigidJoint pull;  // off its centroid
+    pull.kind = JointKind::distance;
+    pull.b = 0;
+    pull.at_a = scene.bodies.position(0).head<2>() + Vec2(0.5, 3);
+    pull.at_b = {0.5, 0};
+    pull.spring = {0, 0, 100, 10, 3};
+    add_joint(scene, pull);
+    // no row of it can push anything
+    add_joint(scene, joint_at(scene, JointKind::revolute, world, wheel, {9, 9}));
+    BodyDescent<Manifolds> method;
+    StepData<3> now;
+    scene.bodies.velocity(wheel)[2] = 2;
+    for (int i = 0; i < 120; ++i) step(scene, {.h = 1.0 / 60}, method, now);
+    CHECK(scene.bodies.x.allFinite());
+    CHECK(scene.bodies.u.allFinite());
+    CHECK(scene.bodies.x[2] == 0);
+    CHECK(std::abs(scene.bodies.u[1]) < 1e-3);  // it stands
+    CHECK(scene.bodies.position(wheel).head<2>() == Vec2(9, 9));
+    CHECK(scene.bodies.velocity(wheel)[2] == Approx(2));
+}
+
 TEST_CASE("block descent holds a thousand times on a stack where ten sweeps do not", "[idea]")
 {
     JointedScene held = heavy_top(5, 1000), fallen = held;

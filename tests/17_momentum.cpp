@@ -70,7 +70,7 @@ TEST_CASE("momentum takes a cold pyramid to its answer in a sixth of the sweeps"
     REQUIRE(slow.status == Status::solved);
     REQUIRE(quick.status == Status::solved);
     CHECK(6 * quick.iterations < slow.iterations);
-    CHECK(natural_residual(p.now.rows, quick.lambda, quick.u) == quick.residual);
+    CHECK(natural_residual(p.now.rows, quick.lambda, quick.u, p.now.length) == quick.residual);
 }
 
 TEST_CASE("momentum pulls at no contact and leaves friction its bound", "[idea]")

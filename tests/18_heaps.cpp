@@ -178,6 +178,8 @@ TEST_CASE("small steps in lanes are those of one row after the other", "[house]"
         other.solve(bodies, broken);
         REQUIRE(other.stepped_count == 1);
         CHECK(std::isnan(broken.solution.residual));
+        CHECK(other.unsolved == 1);
+        CHECK(broken.solution.status == Status::iteration_limit);
     }
 
     const auto& lanes = choice.wide.all.front();

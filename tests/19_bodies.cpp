@@ -342,6 +342,33 @@ TEST_CASE("a joint of a body that is switched off holds nothing and holds again"
     CHECK(engine.force(pin).y() == Approx(engine.mass(hangs) * 9.81).epsilon(1e-6));
 }
 
+TEST_CASE("a joint of a body that is switched off is changed and added as if it were on", "[idea]")
+{
+    World engine;
+    const BodyId bob = engine.add_body(body_at({0.5, 0}, 1, box(1, 0.1)));
+    const JointId pin = engine.add_joint({}, bob, engine.joint_at(JointKind::revolute, {}, bob, {0, 0}));
+    engine.step(frame);
+    engine.set_enabled(bob, false);
+    RigidJoint how = engine.joint(pin);
+    how.lower = -0.5;
+    engine.change(pin, how);
+    RigidJoint rod;
+    rod.kind = JointKind::rope;
+    rod.at_a = {1, 10}, rod.at_b = {0.5, 0}, rod.length = 20;
+    const JointId slack = engine.add_joint({}, bob, rod);
+    CHECK_FALSE(engine.is_broken(slack));
+    const Real q = engine.coordinate(pin);
+    run(engine, 10);
+    CHECK(engine.coordinate(pin) == q);
+    engine.set_enabled(bob, true);
+    run(engine, 120);
+    CHECK(engine.coordinate(pin) == Approx(-0.5).margin(1e-4));
+    // what cannot move when it is on needs another body that can
+    engine.set_enabled(bob, false);
+    engine.set_kind(bob, BodyKind::fixed);
+    CHECK_THROWS_WITH(engine.add_joint({}, bob, rod), Contains("which cannot move"));
+}
+
 TEST_CASE("what stops being pushed stands at once and the hand lets go of it", "[idea]")
 {
     World engine({.gravity = none, .substeps = 4});

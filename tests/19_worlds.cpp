@@ -3,6 +3,7 @@
 #include "tests/no_allocation.hpp"
 
 #include "chapters/19_engine/moving_worlds.hpp"
+#include "chapters/19_engine/places.hpp"
 #include "chapters/19_engine/recording.hpp"
 #include "common/random.hpp"
 
@@ -68,6 +69,18 @@ TEST_CASE("a joint that is taken out holds no more and its place is used again",
     engine.remove(bob);
     CHECK(!engine.has(second));
     engine.step(frame);
+}
+
+TEST_CASE("a place that was used four billion times still has an id that names something", "[house]")
+{
+    Places<BodyTag> places;
+    const BodyId first = places.append();
+    places.give_back(0);
+    places.generation[0] = std::numeric_limits<std::uint32_t>::max();
+    const BodyId id = places.take(0);
+    CHECK(id);
+    CHECK(id == first);  // the names begin again
+    CHECK(places.require(id, "body") == 0);
 }
 
 TEST_CASE("two bodies whose joint is taken out touch again", "[idea]")

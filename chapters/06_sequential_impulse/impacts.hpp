@@ -10,6 +10,7 @@
 #include "chapters/02_velocity_constraints/constraints.hpp"
 #include "chapters/03_mlcp_formulation/mlcp.hpp"
 
+#include <cmath>
 #include <vector>
 
 namespace rigid {
@@ -31,7 +32,7 @@ void newton_biases(std::vector<Row<Dof>>& rows, Real e, const VecX& u)
 /// its two bodies alone. λ sums up all of its impacts.
 ///
 /// `solved` when no row hits any more. Balls on a line come to that end, but with 0 < e < 1 it may take infinitely
-/// many impacts: then `iteration limit`.
+/// many impacts: then `iteration limit`. `infeasible` when a row hits between bodies that cannot move.
 /// \param rows       contacts, 0 ≤ λ, with the biases as above
 /// \param tolerance  [m/s]
 /// \param u          in: before the impact, out: after it [m/s]
@@ -42,6 +43,7 @@ void sequential_impacts(const std::vector<Row<Dof>>& rows, Real e, Real toleranc
     solution.lambda.setZero(static_cast<Index>(rows.size()));
     solution.status = Status::iteration_limit;
     solution.iterations = 0;
+    bool hopeless = false;  // a row hits, and nothing moves it
     //! [sequential]
     for (bool any = true; any && solution.iterations < max_sweeps;
          ++solution.iterations) {
@@ -50,7 +52,11 @@ void sequential_impacts(const std::vector<Row<Dof>>& rows, Real e, Real toleranc
             const Row<Dof>& row = rows[i];
             const Real w = row.velocity(u), approach = w - row.bias,
                        A = row.inverse_effective_mass();
-            if (!(w < -tolerance) || !(A > 0)) continue;
+            if (!(w < -tolerance || std::isnan(w))) continue;
+            if (!(A > 0)) {
+                hopeless = true;
+                continue;
+            }
             const Real lambda = -(1 + e) * approach / A;
             row.apply(lambda, u);
             solution.lambda[static_cast<Index>(i)] += lambda;
@@ -59,10 +65,14 @@ void sequential_impacts(const std::vector<Row<Dof>>& rows, Real e, Real toleranc
         if (!any) solution.status = Status::solved;
     }
     //! [sequential]
+    if (hopeless) solution.status = Status::infeasible;
     solution.residual = 0;
-    for (const Row<Dof>& row : rows)
-        if (row.inverse_effective_mass() > 0)
-            solution.residual = std::max(solution.residual, -row.velocity(u));
+    for (const Row<Dof>& row : rows) {
+        const Real hits = -row.velocity(u);
+        // also takes over a NaN
+        if (!(hits <= solution.residual)) solution.residual = hits;
+        if (std::isnan(solution.residual)) return;
+    }
 }
 
 }  // namespace rigid

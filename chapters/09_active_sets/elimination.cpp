@@ -26,7 +26,9 @@ void Elimination::analyse_pattern(const SparseMatrix& A)
     for (std::size_t k = 0; k < n; ++k) order[k] = static_cast<int>(k);
     if (find_pattern(A, 2 * entries_of_A)) return;
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
-    const Eigen::SparseMatrix<Real> by_columns = A;
+    // its columns are its rows
+    const Eigen::Map<const Eigen::SparseMatrix<Real>> by_columns(
+        A.rows(), A.cols(), A.nonZeros(), outer, inner, A.valuePtr());
     Eigen::AMDOrdering<int>()(by_columns.selfadjointView<Eigen::Lower>(),
                               permutation);
     std::copy(permutation.indices().begin(), permutation.indices().end(),

@@ -83,7 +83,10 @@ void AwakeBodies::begin(const DiscScene& scene, const StepSettings& settings,
     now.length = length;
     if (settings.margin * length != broad.margin)
         change_margin(scene, settings.margin * length);
-    if (set.awake.empty()) return;
+    if (set.awake.empty()) {
+        set.tidy();  // fixed discs that were changed would be listed again and again
+        return;
+    }
     // Which discs may touch which; a disc that is touched wakes.
     update_pairs(scene, set, broad);
     if (!set.woken.empty()) take_in_the_woken(method);

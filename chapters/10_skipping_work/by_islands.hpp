@@ -208,14 +208,15 @@ private:
         unsolved += answer.status != Status::solved && !(answer.residual <= good);
     }
 
-    /// The most that an impulse changes the velocity of its own row by [m/s]
+    /// The most that an impulse changes the velocity of its own row by [m/s];
+    /// infinity without any impulse
     static Real largest_change(std::span<const SolverRow<Dof>> island)
     {
         Real most = 0;
         for (const SolverRow<Dof>& row : island)
             if (row.mass > 0)
                 most = std::max(most, std::abs(row.lambda) / row.mass);
-        return most;
+        return most > 0 ? most : infinity;
     }
 
     /// Whether each body of these rows is, a spin at the distance ℓ.

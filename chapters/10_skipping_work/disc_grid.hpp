@@ -4,9 +4,10 @@
 ///     cell of a layer c = 2^l ≥ 2 r + extra,   disc k is in the cell (⌊x/c⌋, ⌊y/c⌋) of its own layer
 ///
 /// (10.3). A disc whose surface is within reach R of a point can only stand in the cells from ⌊(x − R − r)/c⌋ to
-/// ⌊(x + R + r)/c⌋, for r the largest radius of the layer: at most three by three for two of one size. Cells are not
-/// stored: a hash puts them on a table of 2K or more lists \cite teschner2003. Putting in, taking out and moving cost
-/// the same however many discs there are, so a sleeper costs nothing.
+/// ⌊(x + R + r)/c⌋, for r the largest radius of the layer: for two of one size three along each axis, or four where x is
+/// on the edge of a cell and rounding adds one. Cells are not stored: a hash puts them on a table of 2K or more lists
+/// \cite teschner2003. Putting in, taking out and moving cost the same however many discs there are, so a sleeper costs
+/// nothing.
 #pragma once
 
 #include "common/math.hpp"

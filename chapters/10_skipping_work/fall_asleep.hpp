@@ -2,6 +2,7 @@
 /// The end of the contacts stage: how long each body has been at rest, and which islands fall asleep (10.7).
 #pragma once
 
+#include "chapters/10_skipping_work/row_residual.hpp"
 #include "chapters/10_skipping_work/sleepers.hpp"
 
 #include <algorithm>
@@ -81,31 +82,6 @@ void Sleepers<Dof>::watch_rest(const Scene& scene, const StepSettings& settings,
         any_kinematic = any_kinematic || !scene.bodies.can_move(k);
     }
     if (any_kinematic) stay_with_kinematic(scene.bodies, now);
-}
-
-/// The natural residual of some rows of a step at the velocities u [m/s]. A row that only turns, in rad/s, is taken at
-/// the distance ℓ; one that takes its bounds from another is a speed already (13.3).
-template <int Dof>
-Real natural_residual(const StepData<Dof>& now, std::span<const int> rows,
-                      const VecX& u)
-{
-    Real largest = 0;
-    for (const int i : rows) {
-        const Row<Dof>& row = now.rows[static_cast<std::size_t>(i)];
-        const Real lambda = now.solution.lambda[i];
-        const auto [lo, hi] = bounds_of(row, now.solution.lambda);
-        const Real w = row.velocity(u) + row.softness * lambda;
-        Real r = natural_residual_row(row.diagonal(), lambda, w, lo, hi);
-        if constexpr (Dof > 2) {
-            constexpr int ways = Dof == 3 ? 2 : 3;  // the others are angles
-            if (row.bounded_by < 0 && row.Ja.template head<ways>().isZero(0) &&
-                row.Jb.template head<ways>().isZero(0))
-                r *= now.length;
-        }
-        if (!(r <= largest)) largest = r;  // also takes over a NaN
-        if (std::isnan(largest)) return largest;
-    }
-    return largest;
 }
 
 /// (10.7). An island that falls asleep is put where its contacts were found.

@@ -17,10 +17,12 @@ namespace rigid {
 void require_disc(const SkippingWorld& now, Index k);
 
 //! [scene_edits]
-/// Disc k wakes, and all discs within its margin, and those that a link or a bend
-/// joins to it.
+/// Disc k wakes, and all discs within its margin, and those that a link, a joint or a
+/// bend joins to it.
+/// \throws std::invalid_argument  for a disc that is not there
 inline void wake_around(SkippingWorld& now, Index k)
 {
+    require_disc(now, k);
     const auto i = static_cast<int>(k);
     now.method.contacts.set.wake(k);
     now.method.contacts.broad.grid.near(
@@ -78,6 +80,8 @@ inline void change_disc(SkippingWorld& now, Index k, const Vec2& x, const Vec2& 
     now.scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(inverse_mass);
     now.method.contacts.broad.grid.move(static_cast<int>(k), x);
     wake_around(now, k);
+    // it has to rest again for all of t_rest, awake or not
+    now.method.contacts.rests[static_cast<std::size_t>(k)] = disturbed;
     const bool moves = inverse_mass > 0 || u.squaredNorm() > 0;
     if (moves && !now.method.contacts.set.is_awake(k))
         now.method.contacts.set.awake.push_back(static_cast<int>(k));

@@ -106,6 +106,9 @@ inline SkippingWorld make_world(DiscScene scene, CollisionFilter filter,
     if (!filter.group.empty() && filter.group.size() != K)
         refuse("there are " + std::to_string(filter.group.size()) + " groups for " +
                std::to_string(K) + " discs");
+    if (!filter.filters.empty())
+        refuse("there are " + std::to_string(filter.filters.size()) +
+               " filters of single bodies; a world of discs knows groups only");
     for (const std::uint8_t group : filter.group)
         if (group >= most_groups)
             refuse("there is a group " + std::to_string(group) + "; they go to 63");

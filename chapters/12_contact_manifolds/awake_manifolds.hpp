@@ -175,8 +175,7 @@ private:
             set.wake(k);
             if (k >= known) continue;
             Rest& so_far = rests[static_cast<std::size_t>(k)];
-            if (so_far.time > 0)
-                so_far.undisturbed = 0;  // a new one has not rested
+            if (so_far.time > 0) so_far = disturbed;  // a new one has not rested
         }
         wake_of(touching.touching);
         if (!all_awake) wake_of(touching.resting);

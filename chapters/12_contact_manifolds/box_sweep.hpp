@@ -2,10 +2,11 @@
 /// Pairs of boxes that overlap, by chapter 10's sort and sweep: along x, in an order that is kept from step to step.
 #pragma once
 
+#include "chapters/10_skipping_work/sort_and_sweep.hpp"
 #include "chapters/12_contact_manifolds/placed_shape.hpp"
 
-#include <algorithm>
 #include <cstdint>
+#include <numeric>
 
 namespace rigid {
 
@@ -22,33 +23,18 @@ void overlapping_pairs(const std::vector<Box>& boxes, BoxSweep& memory,
                        const Visit& visit)
 {
     auto& order = memory.order;
+    const bool known = order.size() == boxes.size();
+    order.resize(boxes.size());
+    if (!known) std::iota(order.begin(), order.end(), 0);
     const auto box = [&](int k) -> const Box& {
         return boxes[static_cast<std::size_t>(k)];
     };
-    const auto by_left = [&](int a, int b) {
-        return box(a).low.x() < box(b).low.x();
-    };
-    memory.tested = memory.exchanged = 0;
-    if (order.size() != boxes.size()) {
-        order.resize(boxes.size());
-        for (std::size_t k = 0; k < order.size(); ++k)
-            order[k] = static_cast<int>(k);
-        // stable: what std::sort does with equal ends is the library's own affair
-        std::stable_sort(order.begin(), order.end(), by_left);
-    }
-    for (std::size_t i = 1; i < order.size(); ++i)  // nearly sorted: insert
-        for (std::size_t j = i; j > 0 && by_left(order[j], order[j - 1]); --j) {
-            std::swap(order[j], order[j - 1]);
-            ++memory.exchanged;
-        }
-    for (std::size_t i = 0; i < order.size(); ++i)
-        for (std::size_t j = i + 1; j < order.size(); ++j) {
-            const Box &a = box(order[i]), &b = box(order[j]);
-            if (b.low.x() > a.high.x()) break;
-            ++memory.tested;
-            if (overlap(a, b))
-                visit(std::min(order[i], order[j]), std::max(order[i], order[j]));
-        }
+    sweep_sorted(
+        order, known, [&](int k) { return box(k).low.x(); },
+        [&](int k) { return box(k).high.x(); }, memory,
+        [&](int a, int b) {
+            if (overlap(box(a), box(b))) visit(std::min(a, b), std::max(a, b));
+        });
 }
 //! [box_sweep]
 

@@ -2,12 +2,23 @@
 #include "common/eigen_instances.hpp"
 
 #include "chapters/12_contact_manifolds/casts.hpp"
+#include "common/text.hpp"
 
 namespace rigid {
+
+static void require_finite(const Ray& ray)
+{
+    if (ray.from.allFinite() && ray.way.allFinite()) return;
+    throw std::invalid_argument("a ray begins at (" + shortest(ray.from.x()) +
+                                ", " + shortest(ray.from.y()) + ") and goes (" +
+                                shortest(ray.way.x()) + ", " +
+                                shortest(ray.way.y()) + "); both must be finite");
+}
 
 //! [cast]
 RayHit cast(const Ray& ray, const Placed& shape)
 {
+    require_finite(ray);
     RayHit first;
     if (distance_to(shape, ray.from) <= 0) {
         first.hit = true, first.part = 0;

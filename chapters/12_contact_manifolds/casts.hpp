@@ -7,7 +7,8 @@
 ///     edge    n·(o + s d − v) = ρ,  n·d < 0,  its ends on both sides of the ray      circle  ‖o + s d − v‖ = ρ, the smaller s
 ///
 /// The circle's distance from the ray is β = (o − v) × d/‖d‖, and √(ρ² − β²) before its middle the ray enters. A difference of
-/// the squares of long ways would not be as good: with o a thousand kilometres away it is off by a millimetre. All of these circles and edges are inside the shape or on its outline, so the smallest s is where the ray enters.
+/// the squares of long ways would not be as good: with o a thousand kilometres away it is off by tenths of a millimetre.
+/// All of these circles and edges are inside the shape or on its outline, so the smallest s is where the ray enters.
 #pragma once
 
 #include "chapters/12_contact_manifolds/box_tree.hpp"
@@ -29,13 +30,15 @@ struct RayHit {
 };
 
 /// The distance of a point from a shape [m]; negative inside, minus the least way out.
+/// A point that is not finite is infinitely far away.
 inline Real distance_to(const Placed& shape, const Vec2& point)
 {
     const Placed dot{{&point, 1}, {}, 0};
-    return collide(shape, dot).points[0].gap;
+    return collide(shape, dot).deepest();
 }
 
 /// Where a ray enters a shape; at once if it starts inside.
+/// \throws std::invalid_argument  for a ray that is not finite
 RayHit cast(const Ray& ray, const Placed& shape);
 
 /// Whether the ray, as far as s = `part`, meets a box.

@@ -22,8 +22,7 @@ inline void add_chain(RigidScene& scene, const std::vector<Vec2>& points,
     if (n < 2)
         throw std::invalid_argument("the chain has " + std::to_string(n) +
                                     " points; it needs two or more");
-    Chain chain;
-    chain.closed = closed;
+    RigidScene edges;  // a chain that is refused leaves nothing behind
     for (std::size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
         const Vec2 from = points[i], to = points[(i + 1) % n],
                    middle = (from + to) / 2;
@@ -33,11 +32,13 @@ inline void add_chain(RigidScene& scene, const std::vector<Vec2>& points,
                 shortest(from.x()) + ", " + shortest(from.y()) + ") to (" +
                 shortest(to.x()) + ", " + shortest(to.y()) +
                 "); both must be finite, and they must differ");
-        chain.last = add_body(scene, Polygon{{from - middle, to - middle}, 0},
-                              Mass{}, middle);
-        if (i == 0) chain.first = chain.last;
+        add_body(edges, Polygon{{from - middle, to - middle}, 0}, Mass{}, middle);
     }
-    scene.chains.push_back(chain);
+    const Index first = scene.bodies.count(), count = edges.bodies.count();
+    for (Index k = 0; k < count; ++k)
+        add_body(scene, edges.shapes[static_cast<std::size_t>(k)], Mass{},
+                 edges.bodies.position(k).head<2>());
+    scene.chains.push_back({first, first + count - 1, closed});
 }
 
 /// Throws std::invalid_argument, naming the chain, unless its bodies are edges that cannot move.

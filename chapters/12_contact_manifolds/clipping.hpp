@@ -30,6 +30,14 @@ struct Manifold {
         -1;  ///< reference face: edge of a, or that of b behind them; −1: none
     NormalOf normal_of = NormalOf::fixed;
 
+    /// The least gap of its points [m]; infinity if there are none.
+    Real deepest() const
+    {
+        Real gap = infinity;
+        for (int i = 0; i < count; ++i)
+            gap = std::min(gap, points[static_cast<std::size_t>(i)].gap);
+        return gap;
+    }
     bool has(int feature) const
     {
         return (count > 0 && points[0].feature == feature) ||

@@ -102,7 +102,9 @@ void stop_fast_bodies(RigidScene& scene, const StepSettings& settings,
     fast.impacts = fast.rounds = 0;
     for_each_active([&](int k) {
         const auto at = static_cast<std::size_t>(k);
-        const bool goes_on = at < fast.goes_on.size() && fast.goes_on[at];
+        // what nothing can move is not stopped either
+        const bool goes_on =
+            (at < fast.goes_on.size() && fast.goes_on[at]) || !finder.moves[at];
         if (!goes_on && goes_beyond(k, 0.5 * inner_of(k))) fast.bodies.push_back(k);
     });
     if (fast.bodies.empty()) return;

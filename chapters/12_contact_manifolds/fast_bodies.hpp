@@ -10,7 +10,7 @@
 /// L (ωh)²/4. If it were stopped, it would lose time in each step. Nothing comes out behind a half-space, nor behind an edge
 /// of a chain while its centroid is in front, so there it may go in by half the margin and is held by its row (in a
 /// half-space: where rows look ahead). What stops early stands in the way of others: fast bodies are looked at in pairs again
-/// until none of them stops any earlier.
+/// until none of them stops any earlier. A body that nothing can move is never stopped; others are stopped at it.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"

@@ -15,7 +15,7 @@ namespace rigid {
 
 struct LookAhead {
     Real margin = 0;  ///< [m]
-    Real most = 0;    ///< s [inner radii]
+    Real most = 0;    ///< s [inner radii]; 0 = none looks ahead
     Real h = 0;       ///< of the step [s]
     /// of each body, where gravity is not all that moves it [m/s²]; empty = it is
     std::span<const Real> falls = {};
@@ -31,6 +31,11 @@ inline void look_ahead(const RigidScene& scene, const PlacedShapes& placed,
                        std::span<const int> bodies, std::vector<Real>& reach,
                        std::vector<Real>& ways)
 {
+    if (!(how.most > 0)) {
+        reach.clear();
+        ways.clear();
+        return;
+    }
     for (std::vector<Real>* const far : {&reach, &ways}) {
         far->resize(static_cast<std::size_t>(scene.bodies.count()), 0);
         for (const int k : before)

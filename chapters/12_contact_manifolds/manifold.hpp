@@ -102,7 +102,7 @@ inline void stay_with_face(const Placed& a, const Placed& b,
 
 //! [collide]
 /// The manifold of two shapes. The same points for b and a, with the normal the
-/// other way round.
+/// other way round, unless two faces are equally good: then the first named decides.
 /// \param how  how far it looks, and what it prefers
 inline Manifold collide(const Placed& a, const Placed& b,
                         const ManifoldSettings& how = {})

@@ -52,9 +52,8 @@ struct Manifolds : PlainContacts {
         std::iota(now.active.begin(), now.active.end(), 0);
         const Real margin = settings.margin * now.length;
         placed.move(scene);
-        if (ahead > 0)
-            look_ahead(scene, placed, {margin, ahead, settings.h}, finder.asked,
-                       now.active, finder.reach, ways);
+        look_ahead(scene, placed, {margin, ahead, settings.h, falls}, finder.asked,
+                   now.active, finder.reach, ways);
         finder.find(scene, placed, margin);
         now.x_found = scene.bodies.x;
         list_rows(scene, margin, now);
@@ -67,9 +66,8 @@ struct Manifolds : PlainContacts {
                     std::span<const int> bodies, StepData<3>& now)
     {
         placed.move(scene, bodies);
-        if (ahead > 0)
-            look_ahead(scene, placed, {margin, ahead, h, falls}, finder.asked,
-                       bodies, finder.reach, ways);
+        look_ahead(scene, placed, {margin, ahead, h, falls}, finder.asked, bodies,
+                   finder.reach, ways);
         finder.find(scene, placed, margin, bodies);
         const VecX& x = scene.bodies.x;
         if (now.x_found.size() != x.size()) now.x_found = x;

@@ -146,10 +146,8 @@ void PairFinder::put_in_grid(const RigidScene& scene, Index k, Real margin)
 {
     const auto at = static_cast<std::size_t>(k);
     const Polygon& shape = scene.shapes[at];
-    Real circle = 0;
-    for (const Vec2& vertex : shape.vertices)
-        circle = std::max(circle, vertex.norm());
-    circle += shape.radius + margin / 2 + reach_of(at);
+    const Real circle =
+        turning_radius(shape) + (shape.radius + margin / 2 + reach_of(at));
     const int body = static_cast<int>(k);
     const Vec2 x = scene.bodies.position(k).head<2>();
     if (circles[at] == circle) grid.move(body, x);

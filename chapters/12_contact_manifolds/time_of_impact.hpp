@@ -94,10 +94,7 @@ Impact advance(const Nearest& nearest, const Rate& rate, Real target,
     return advance_gap(
         [&nearest](Real part) {
             const Manifold m = nearest(part);
-            Real gap = infinity;
-            for (int i = 0; i < m.count; ++i)
-                gap = std::min(gap, m.points[static_cast<std::size_t>(i)].gap);
-            return std::pair<Real, Vec2>(gap, m.normal);
+            return std::pair<Real, Vec2>(m.deepest(), m.normal);
         },
         rate, target, tolerance);
 }

@@ -57,6 +57,14 @@ public:
     }
     //! [solve]
 
+    /// Whether a row is a sum of others: it got no impulse.
+    bool is_dependent() const
+    {
+        return tree.dependent > 0 ||
+               (!loop_rows.empty() &&
+                inverse_.rank < static_cast<Index>(loop_rows.size()));
+    }
+
     /// Where the velocities of a node are.
     Index place(int node) const
     {

@@ -103,6 +103,7 @@ public:
                  StepData<3>& now)
     {
         Bodies<3>& bodies = scene.bodies;
+        const bool renews = what != Corrected::errors;  // sweeps keep their J
         Real pushed = 0;  // the largest part of an overlap that is to come out
         Real off = 0, best = 0, part = 1, deepest = 0;
         bool fresh = false;  // J is that of the best positions so far
@@ -169,7 +170,8 @@ public:
             const int swept = alone ? 2 * most_swept : most_swept;
             if (n >= (what == Corrected::errors ? swept : most)) break;
             if (worse) {
-                if (!fresh) continue;  // with J and K of here; then half as far
+                // with J and K of here; then half as far
+                if (renews && !fresh) continue;
                 part /= 2;
                 move_by(v, part * h, bodies, members);
                 continue;
@@ -178,13 +180,14 @@ public:
             best = off;
             part = 1;
             // what a round leaves beyond a tenth asks for another J where this one did
-            // not foresee it, and beyond a half for longer rounds where it did
+            // not foresee it; of sweeps, beyond a half, for longer rounds
             const bool slow = n > begun && off > before / 10;
-            fresh = n > 0 ? slow && bent > off / 10 : what == Corrected::joints;
+            fresh = n > 0 ? renews && slow && bent > off / 10
+                          : what == Corrected::joints;
             if (fresh) {
                 renewed_.renew(scene, h, rows, members, second, n > 0, apart, now);
                 ++renewals;
-            } else if (slow && off > before / 2 && what == Corrected::errors)
+            } else if (slow && off > before / 2 && !renews)
                 times = rounds(off, before, bent, swept - n);
             second.max_sweeps = wanted ? push_sweeps : times * sweeps;
             apart.solve_apart(second, v, now);

@@ -34,6 +34,11 @@ inline std::vector<ReducedLink> links_of(const JointedScene& scene)
             throw std::invalid_argument(
                 name + " is a " + std::string(to_string(joint.kind)) +
                 " joint; coordinates of joints take revolute, prismatic, weld");
+        if (!scene.bodies.can_move(joint.b))
+            throw std::invalid_argument(
+                name + " holds body " + std::to_string(joint.b) +
+                ", which cannot move, as its b; what moves must hang on what does "
+                "not, as its a");
         int& joint_of_b = hangs_on[static_cast<std::size_t>(joint.b)];
         if (joint_of_b >= 0)
             throw std::invalid_argument(
@@ -66,6 +71,12 @@ inline std::vector<ReducedLink> links_of(const JointedScene& scene)
             more = true;
         }
     }
+    for (Index k = 0; k < count; ++k)
+        if (scene.bodies.can_move(k) && entered[static_cast<std::size_t>(k)] < 0)
+            throw std::invalid_argument(
+                "body " + std::to_string(k) +
+                " hangs on a ring of joints, which no coordinate of them places; "
+                "coordinates of joints start from the world");
     return links;
 }
 

@@ -53,7 +53,7 @@ void TreeSolver::judge(const VecX& u, const VecX& lambda, const StepData<3>& now
     const Real residual = solution.residual = std::max(left, answer_.unlike);
     solution.iterations = sweeps_made;
     solution.status = residual <= enough_ && enough_ < infinity ? Status::solved
-                      : joints.tree.dependent > 0 || !std::isfinite(residual)
+                      : joints.is_dependent() || !std::isfinite(residual)
                           ? Status::singular
                           : Status::iteration_limit;
 }

@@ -101,9 +101,8 @@ struct BlockDescent : PlainCorrection {
     void visit(int k, Real h, const At& at, const StepData<Dof>& now,
                Bodies<Dof>& bodies)
     {
-        const Vec<Dof> inertia =
-            bodies.inverse_mass.template segment<Dof>(Dof * k).cwiseInverse() /
-            (h * h);
+        const Vec<Dof> W = bodies.inverse_mass.template segment<Dof>(Dof * k),
+                       inertia = W.cwiseInverse() / (h * h);
         Vec<Dof> f = -inertia.cwiseProduct(bodies.position(k) -
                                            y.template segment<Dof>(Dof * k));
         Mat<Dof> H = inertia.asDiagonal();
@@ -115,6 +114,14 @@ struct BlockDescent : PlainCorrection {
             f += J.transpose() * F;
             H += s * J.transpose() * J;
             H += (std::abs(F) * meet.curvature<Dof>(one)).asDiagonal();
+        }
+        for (int i = 0; i < Dof; ++i) {
+            if (W[i] > 0) continue;
+            // nothing pushes it that way: (16.28) is Δx = 0
+            f[i] = 0;
+            H.row(i).setZero();
+            H.col(i).setZero();
+            H(i, i) = 1;
         }
         const Vec<Dof> change = solve_definite(H, f);
         bodies.position(k) += change;
@@ -128,8 +135,9 @@ struct BlockDescent : PlainCorrection {
     Real stiffness_of(std::size_t i, Real h, const StepData<Dof>& now) const
     {
         const Row<Dof>& row = now.rows[i];
-        const Real s = stiffness[static_cast<Index>(i)] /
-                       (h * h * row.inverse_effective_mass());
+        const Real A = row.inverse_effective_mass();
+        if (!(A > 0)) return 0;  // it pushes nothing
+        const Real s = stiffness[static_cast<Index>(i)] / (h * h * A);
         return row.softness > 0 ? std::min(s, 1 / (h * h * row.softness)) : s;
     }
 

@@ -60,6 +60,7 @@ std::pair<Index, Index> bodies_of(const Row<Dof>& row)
 /// More rows of two bodies than a bundle has become several: a row that bounds
 /// others stays with them.
 /// \param from, to  places in out.rows; a bundle begins at the first
+/// \throws std::invalid_argument  if a row bounds more of them than fit
 template <int Dof>
 void cut_bundle(const std::vector<Row<Dof>>& rows, std::size_t from, std::size_t to,
                 Bundles& out)
@@ -76,6 +77,11 @@ void cut_bundle(const std::vector<Row<Dof>>& rows, std::size_t from, std::size_t
     std::size_t begin = from;
     for (std::size_t k = from, end = from; k < to; k = end) {
         while (end < to && set_of(*at(end)) == set_of(*at(k))) ++end;
+        if (end > k + Bundles::most_rows)
+            throw std::invalid_argument(
+                "row " + std::to_string(set_of(*at(k))) + " bounds " +
+                std::to_string(end - k - 1) + " rows; in a bundle there are " +
+                std::to_string(Bundles::most_rows) + " in all");
         if (end - begin <= Bundles::most_rows) continue;
         std::sort(at(begin), at(k));  // as they came
         begin = k;

@@ -4,26 +4,10 @@
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 #include "chapters/06_sequential_impulse/impulse_solver.hpp"
+#include "chapters/10_skipping_work/row_residual.hpp"
 #include "chapters/17_wide_sweeps/sweep_momentum.hpp"
 
 namespace rigid {
-
-/// The natural residual of λ and u on these rows [m/s], (3.15), with the bounds that λ sets.
-template <int Dof>
-Real natural_residual(const std::vector<Row<Dof>>& rows, const VecX& lambda,
-                      const VecX& u)
-{
-    Real largest = 0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Real own = lambda[static_cast<Index>(i)];
-        const auto [lo, hi] = bounds_of(rows[i], lambda);
-        const Real w = rows[i].velocity(u) + rows[i].softness * own;
-        const Real r = natural_residual_row(rows[i].diagonal(), own, w, lo, hi);
-        if (!(r <= largest)) largest = r;  // also takes over a NaN
-        if (std::isnan(largest)) return largest;
-    }
-    return largest;
-}
 
 /// Rows that nothing moves keep their w: each takes the bound that is right for it.
 /// \return  true if one of them would need an infinite one, and w is off by more than the tolerance
@@ -76,7 +60,7 @@ struct WideSolver : PlainSolver {
     /// The rows into their places, unless they are there.
     void begin(const Bodies<Dof>& bodies, const StepData<Dof>& now)
     {
-        if (wide.place.size() == now.rows.size() &&
+        if (wide.place.size() == now.rows.size() && careless == was_careless_ &&
             (now.substep > 0 || (now.same_rows && same_movers(now.rows, bundles))))
             return put_masses(bodies.inverse_mass, wide);
         require_bodies<Dof>(now.rows, bodies.count());
@@ -87,6 +71,7 @@ struct WideSolver : PlainSolver {
     void colour(const Bodies<Dof>& bodies, const StepData<Dof>& now)
     {
         colour_bundles(now.rows, bodies.count(), bundles);
+        was_careless_ = careless;
         if (careless) forget_colours(bundles);
         arrange(now.rows, bodies.count(), bundles, wide);
         put_masses(bodies.inverse_mass, wide);
@@ -112,8 +97,8 @@ struct WideSolver : PlainSolver {
             apply_impulses(wide);
             get_velocities(wide.u, bodies.u);
         }
-        sweep_until(problem, sweeps.max_sweeps, tolerance, hopeless, bodies.u,
-                    now.solution);
+        sweep_until(problem, sweeps.max_sweeps, tolerance, now.length, hopeless,
+                    bodies.u, now.solution);
         now.visits += visits_;
     }
     //! [solver]
@@ -121,9 +106,10 @@ struct WideSolver : PlainSolver {
     //! [until]
     /// Sweeps until there is nothing left to do, as chapter 6 does. Doubles are filled
     /// in once; floats after each pass, with what is left to do then.
-    /// \param u  with the effect of solution.lambda; both are changed
+    /// \param length  ℓ [m]
+    /// \param u       with the effect of solution.lambda; both are changed
     void sweep_until(const WideProblem<Dof>& problem, int most, Real tolerance,
-                     bool hopeless, VecX& u, Solution& solution)
+                     Real length, bool hopeless, VecX& u, Solution& solution)
     {
         const auto m = static_cast<std::int64_t>(problem.rows.size());
         solution.status = hopeless ? Status::infeasible : Status::iteration_limit;
@@ -146,7 +132,8 @@ struct WideSolver : PlainSolver {
             filled = !in_differences<T>;
             if (!(tolerance > 0)) continue;
             // A small change is no small residual.
-            solution.residual = natural_residual(problem.rows, solution.lambda, u);
+            solution.residual =
+                natural_residual(problem.rows, solution.lambda, u, length);
             visits_ += m;
             if (solution.residual <= tolerance) solution.status = Status::solved;
             off = solution.status != Status::solved && !hopeless;
@@ -224,6 +211,7 @@ private:
 
     VecX last_;
     std::int64_t visits_ = 0;
+    bool was_careless_ = false;  ///< when the rows took their places
 };
 
 template <int Dof, class T, int L>

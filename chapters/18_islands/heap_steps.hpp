@@ -54,6 +54,9 @@ struct HeapSteps {
 };
 //! [settings]
 
+/// \throws std::invalid_argument  if a number of it makes no sense
+void require_valid(const HeapSteps& how);
+
 /// The small steps of one heap whose rows are in lanes.
 class HeapInLanes {
     static constexpr int lanes = full_lanes<Real>;

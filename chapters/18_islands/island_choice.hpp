@@ -31,7 +31,6 @@ struct IslandChoice : IslandSolvers, PlainSolver {
     Real slow = 0;    ///< an island of slower bodies is solved to the end [ℓ/s]
     HeapSteps heaps;  ///< of heaps that move
     Jobs jobs;        ///< for islands
-
     Reflections reflections;
 
     // Of the last step.
@@ -40,14 +39,7 @@ struct IslandChoice : IslandSolvers, PlainSolver {
     int answered_count = 0;  ///< of the exact ones, by their old impulses
     int most_sweeps = 0;     ///< of the island that needed the most
 
-    void require_valid() const
-    {
-        if (!(tolerance > 0) || !std::isfinite(tolerance))
-            throw std::invalid_argument("the tolerance of the islands is " +
-                                        shortest(tolerance) +
-                                        "; it must be positive and finite");
-        rigid::require_valid(sweeps);
-    }
+    void require_valid() const;
     Real noise() const { return sweeps.tolerance; }
     const Islands* islands_found() const { return &all.islands; }
 
@@ -59,6 +51,8 @@ struct IslandChoice : IslandSolvers, PlainSolver {
             most_sweeps = 0;
             reflections.bounced.clear();
         }
+        set_price(tolerance * now.length / 2, rule.entries, rule, stock.exact);
+        stock.most_exact = most_exact;
         late_.clear();
         bodies_ = &bodies;
         answered_count = rescued_count = stepped_count = unsolved = 0;
@@ -132,7 +126,7 @@ private:
     void solve_island(int i, Bodies<3>& bodies, StepData<3>& now)
     {
         const IslandNote& note = all.note(i);
-        // as good as sweeps leave it; half of that, for joints add their rounding
+        // as good as sweeps leave it; half of that: joints add their rounding
         const Real late = tolerance * now.length / 2;
         WideIsland* lanes = wide.find(i);
         if (lanes && note.steps && !bounces(all.islands.rows_of(i), now)) {
@@ -140,8 +134,8 @@ private:
             return;
         }
         if (ExactIsland* one = exactly.find(i)) {
-            prepare(*one, late, rule.entries, most_exact);
-            one->solve(settled(tolerance * now.length), bodies, now);
+            one->solve(rows_to_solve(i), settled(tolerance * now.length),
+                       slow * now.length, bodies, now);
         } else if (TreePart* tree = held.find(i)) {
             prepare(*tree, late, rule.entries, std::max(1, rule.always));
             tree->solver.sweeps = rule.held;
@@ -179,7 +173,7 @@ private:
     void prepare(TreePart& one, Real late, std::int64_t entries, int most) const
     {
         one.solver.most_exact = most;
-        set_price(late, entries, rule, one.solver);
+        set_price(late, entries, rule, one.solver.exact);
     }
 
     //! [rescue]
@@ -227,13 +221,15 @@ private:
     {
         const ExactIsland* one = exactly.find(i);
         const WideIsland* lanes = wide.find(i);
+        const bool stepped = lanes && lanes->stepped;
         const Real r =
             one && one->answered ? one->residual
-            : lanes && lanes->stepped
-                ? lanes->heap.residual
-                : natural_residual(now, all.islands.rows_of(i), bodies.u);
-        if (lanes && lanes->stepped) ++stepped_count;
-        else unsolved += !(r <= all.note(i).enough);
+            : stepped            ? lanes->heap.residual
+                      : natural_residual(now, all.islands.rows_of(i), bodies.u);
+        // small steps have no answer to compare with: that they are numbers is all
+        const bool good = stepped ? std::isfinite(r) : r <= all.note(i).enough;
+        stepped_count += stepped;
+        unsolved += !good;
         Real& largest = now.solution.residual;
         if (!(r <= largest || std::isnan(largest))) largest = r;
     }

@@ -8,6 +8,47 @@
 
 namespace rigid {
 
+void require_valid(const HeapSteps& how)
+{
+    const auto refuse = [](const std::string& what, const std::string& right) {
+        throw std::invalid_argument("small steps of a heap: " + what +
+                                    "; it must be " + right);
+    };
+    const std::pair<const char*, int> counts[] = {
+        {"least", how.least}, {"visits", how.visits}, {"substeps", how.substeps}};
+    for (const auto& [name, value] : counts)
+        if (value < 1)
+            refuse(std::string(name) + " is " + std::to_string(value),
+                   "one or more");
+    const std::pair<const char*, int> limits[] = {{"most", how.most},
+                                                  {"again", how.again}};
+    for (const auto& [name, value] : limits)
+        if (value < 0)
+            refuse(std::string(name) + " is " + std::to_string(value),
+                   "zero or more");
+    const std::pair<const char*, Real> numbers[] = {
+        {"beta", how.beta}, {"fastest", how.fastest}, {"slop", how.slop},
+        {"open", how.open}, {"slow", how.slow},       {"slowest", how.slowest}};
+    for (const auto& [name, value] : numbers)
+        if (!(value >= 0))
+            refuse(std::string(name) + " is " + shortest(value),
+                   "zero or positive");
+    if (how.beta > 1) refuse("beta is " + shortest(how.beta), "at most 1");
+}
+
+void IslandChoice::require_valid() const
+{
+    if (!(tolerance > 0) || !std::isfinite(tolerance))
+        throw std::invalid_argument("the tolerance of the islands is " +
+                                    shortest(tolerance) +
+                                    "; it must be positive and finite");
+    rigid::require_valid(sweeps);
+    rigid::require_valid(heaps);
+    if (!(slow >= 0))
+        throw std::invalid_argument("islands are slow below " + shortest(slow) +
+                                    " l/s; it must be zero or positive");
+}
+
 void change(IslandMethod& method, const IslandSettings& settings)
 {
     if (settings.substeps < 1)

@@ -13,9 +13,8 @@ namespace rigid {
 /// How good a solve must be where guesses do not settle it, and what it may cost.
 /// \param entries  at most, however large the island
 inline void set_price(Real late, std::int64_t entries, const ChoiceRule& rule,
-                      TreeSolver& solver)
+                      FrictionSettings& exact)
 {
-    FrictionSettings& exact = solver.exact;
     exact.late = late;
     exact.most_entries = entries;
     exact.pair_entries = rule.pair_entries;

@@ -5,41 +5,10 @@
 #include "chapters/18_islands/exact_islands.hpp"
 #include "chapters/18_islands/island_pieces.hpp"
 #include "chapters/18_islands/island_places.hpp"
+#include "chapters/18_islands/island_pool.hpp"
 #include "chapters/18_islands/wide_islands.hpp"
 
-#include <deque>
-
 namespace rigid {
-
-/// Islands that one kind of solver has in a step; keeps the memory of those that were.
-template <class Island>
-struct IslandPool {
-    std::deque<Island> all;
-    int count = 0;
-    std::vector<int> place;  ///< of each island of the step here; −1
-
-    void clear(int islands)
-    {
-        count = 0;
-        place.assign(static_cast<std::size_t>(islands), -1);
-    }
-    Island& take(int island)
-    {
-        if (count == static_cast<int>(all.size())) all.emplace_back();
-        place[static_cast<std::size_t>(island)] = count;
-        return all[static_cast<std::size_t>(count++)];
-    }
-    Island* find(int island)
-    {
-        const int at = place[static_cast<std::size_t>(island)];
-        return at < 0 ? nullptr : &all[static_cast<std::size_t>(at)];
-    }
-    template <class Visit>
-    void for_each(const Visit& visit)
-    {
-        for (int i = 0; i < count; ++i) visit(all[static_cast<std::size_t>(i)]);
-    }
-};
 
 struct SweptIsland {
     StepPart part;
@@ -70,6 +39,7 @@ struct PartApart {
 struct IslandSolvers {
     IslandPlaces all;     ///< of the step
     IslandPieces pieces;  ///< of those
+    TreeStock stock;      ///< of memory for exact solves
     IslandPool<ExactIsland> exactly;
     IslandPool<TreePart> held;
     IslandPool<SweptIsland> swept;
@@ -88,6 +58,7 @@ struct IslandSolvers {
             all.look(bodies, now, rule, solving, most_sweeps, tolerance);
         const int count = all.islands.count();
         if (!same) {
+            exactly.for_each([&](ExactIsland& one) { one.give_back(stock); });
             exactly.clear(count), held.clear(count);
             swept.clear(count), wide.clear(count);
             exact_count = swept_count = 0;
@@ -95,11 +66,17 @@ struct IslandSolvers {
         }
         // guesses and old factors do not outlive a step
         rescuers.clear(count), struck.clear(count);
-        const auto forget = [](TreePart& one) { one.forget(); };
-        exactly.for_each(forget), held.for_each(forget);
+        stock.entries = 0;
+        for_each_lent([](TreePart& one) { one.forget(); });
+        held.for_each([](TreePart& one) { one.forget(); });
         swept.for_each([&](SweptIsland& one) {
             one.part.now.same_rows = one.part.now.same_bodies = same;
         });
+    }
+
+    RowsToSolve rows_to_solve(int i)
+    {
+        return {stock, all.islands.rows_of(i), all.islands.bodies_of(i)};
     }
 
     void place(int i, const Bodies<3>& bodies, const StepData<3>& now)
@@ -111,7 +88,8 @@ struct IslandSolvers {
         swept_count += note.place != IslandPlace::exact && !rows.empty();
         if (note.place == IslandPlace::exact) {
             ++exact_count;
-            exactly.take(i).take(all.islands, i, now, count, numbers_);
+            ExactIsland& one = exactly.take(i);
+            one.answered = one.is_known = false;
             return;
         }
         if (note.place == IslandPlace::held) {
@@ -178,10 +156,9 @@ struct IslandSolvers {
                 by(one);
                 one.entries += one.solver.others[second.arcs].bounded.entries;
             };
-            if (ExactIsland* one = solvers.exactly.find(island)) {
-                one->refresh(bodies, now);
-                by_trees(*one);
-            } else if (TreePart* tree = solvers.held.find(island)) by_trees(*tree);
+            if (ExactIsland* one = solvers.exactly.find(island))
+                by_trees(one->refresh(solvers.rows_to_solve(island), bodies, now));
+            else if (TreePart* tree = solvers.held.find(island)) by_trees(*tree);
             else if (WideIsland* lanes = solvers.wide.find(island)) by(*lanes);
             else if (SweptIsland* some = solvers.swept.find(island)) by(*some);
         }
@@ -189,7 +166,8 @@ struct IslandSolvers {
         void factor_again(const Bodies<3>& now_at, const StepData<3>& now)
         {
             if (ExactIsland* one = solvers.exactly.find(island))
-                one->factor_again(now_at, now);
+                one->refresh(solvers.rows_to_solve(island), now_at, now)
+                    .factor_again(now_at, now);
             if (TreePart* one = solvers.held.find(island))
                 one->factor_again(now_at, now);
         }
@@ -210,25 +188,37 @@ struct IslandSolvers {
     /// All that exact solves of this step have looked at.
     std::int64_t all_entries()
     {
-        std::int64_t sum = 0;
+        std::int64_t sum = stock.entries;
         const auto add = [&sum](TreePart& one) { sum += one.all_entries(); };
-        exactly.for_each(add), held.for_each(add), rescuers.for_each(add);
+        for_each_lent(add);
+        held.for_each(add), rescuers.for_each(add), struck.for_each(add);
         return sum;
     }
 
     /// Those of this sub-step that are not counted yet.
     std::int64_t take_visits()
     {
-        std::int64_t sum = 0;
+        std::int64_t sum = std::exchange(stock.visits, 0);
         const auto take = [&sum](auto& one) {
             sum += std::exchange(one.part.visits, 0);
         };
-        exactly.for_each(take), held.for_each(take), swept.for_each(take);
+        exactly.for_each(
+            [&](ExactIsland& one) { sum += std::exchange(one.visits, 0); });
+        for_each_lent(take);
+        held.for_each(take), swept.for_each(take);
         wide.for_each(take), rescuers.for_each(take), struck.for_each(take);
         return sum;
     }
 
 private:
+    template <class Visit>
+    void for_each_lent(const Visit& visit)
+    {
+        exactly.for_each([&](ExactIsland& one) {
+            if (one.trees >= 0) visit(stock.at(one.trees));
+        });
+    }
+
     PartNumbers numbers_;
     VecX zeros_;  ///< of the length of u
 };

@@ -182,12 +182,12 @@ private:
         const Source& source =
             whole.sources[static_cast<std::size_t>(part.rows[i])];
         const auto [row, lane] = wide.place[i];
+        const int normal = part.now.rows[i].bounded_by;
         if (row < 0 || source.of != Source::Of::contact ||
-            source.part != tangent_part)
+            source.part != tangent_part || normal < 0)
             return;
-        const auto normal = static_cast<std::size_t>(part.now.rows[i].bounded_by);
-        const int number =
-            number_[static_cast<std::size_t>(wide.place[normal].row)];
+        const int number = number_[static_cast<std::size_t>(
+            wide.place[static_cast<std::size_t>(normal)].row)];
         if (number < 0) return;  // it has no C
         LaneContact<V>& contact = rows[static_cast<std::size_t>(number)].contact;
         contact.drag = row;

@@ -8,6 +8,7 @@
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace rigid {
@@ -60,6 +61,9 @@ struct StepPart {
             if (number == 0) now.active.push_back(static_cast<int>(i));
             number = static_cast<int>(i);
         }
+        for (const int i : rows)  // a row that moves nothing is in no island
+            if (const int n = whole.rows[at(i)].bounded_by; n >= 0)
+                numbers.of_row[at(n)] = -1;
         for (std::size_t i = 0; i < rows.size(); ++i)
             numbers.of_row[at(rows[i])] = static_cast<int>(i);
         local.resize(static_cast<Index>(bodies.size()));
@@ -111,6 +115,9 @@ struct StepPart {
         for (std::size_t i = 0; i < rows.size(); ++i) {
             Row<3>& row = now.rows[i] = whole.rows[at(rows[i])];
             row.a = local_[i].a, row.b = local_[i].b;
+            if (row.bounded_by >= 0 &&
+                local_[i].bounded_by < 0)  // it stays as it is
+                std::tie(row.lo, row.hi) = bounds_of(row, whole.solution.lambda);
             row.bounded_by = local_[i].bounded_by;
         }
     }

@@ -112,7 +112,8 @@ private:
             part.local.velocity(k) = here.u_star.segment<3>(3 * k);
         for (std::size_t i = 0; i < here.rows.size(); ++i)
             here.rows[i].apply(lambda[static_cast<Index>(i)], part.local.u);
-        return natural_residual(here.rows, lambda, part.local.u) / here.length;
+        return natural_residual(here.rows, lambda, part.local.u, here.length) /
+               here.length;
     }
 
     static constexpr Real rounding = 1e-10;  ///< of thousands of sweeps [ℓ/s]

@@ -3,16 +3,23 @@
 #pragma once
 
 #include "chapters/13_friction/friction_rows.hpp"
-#include "chapters/19_engine/world_state.hpp"
+#include "chapters/19_engine/resting_forces.hpp"
 
 namespace rigid {
 
-/// Where a contact of the last step is, without its impulses.
-inline ContactView view_of(const EngineState& state, const Contact& c)
+/// The wall of a contact that has just been found; none where it is of two bodies.
+inline WallId wall_id(const EngineState& state, const Contact& c)
 {
-    Touch touch{state.id(c.shape_a()), state.id(c.shape_b()), {}};
-    if (c.a == world) touch.wall = state.walls.id(wall_of(state.scene, c));
-    return {touch, c.point, c.normal, c.gap};
+    return c.a == world ? state.walls.id(wall_of(state.scene, c)) : WallId{};
+}
+
+/// Where a contact is, without its impulses.
+inline ContactView view_of(const EngineState& state, const Contact& c, WallId wall)
+{
+    return {{state.id(c.shape_a()), state.id(c.shape_b()), wall},
+            c.point,
+            c.normal,
+            c.gap};
 }
 
 //! [contacts]
@@ -42,7 +49,10 @@ void list_contacts(const EngineState& state, const Wanted& wanted,
             continue;
         const Contact& c = now.contacts[static_cast<std::size_t>(source.index)];
         if (!wanted(c) || !state.was_there(c.a) || !state.was_there(c.b)) continue;
-        list.push_back(view_of(state, c));
+        // shapes and walls may be others by now
+        const WallId wall = state.met_walls[static_cast<std::size_t>(source.index)];
+        if (c.a == world && !state.walls.has(wall)) continue;
+        list.push_back(view_of(state, c, wall));
         list.back().impulse = now.solution.lambda[static_cast<Index>(i)];
         list.back().friction = friction_of(source.index);
     }
@@ -53,19 +63,10 @@ void list_contacts(const EngineState& state, const Wanted& wanted,
 inline std::vector<std::pair<ImpulseKey, Real>>
 resting_impulses(const EngineState& state, Index k)
 {
-    const ToldManifolds& sleepers = state.awake();
     std::vector<std::pair<ImpulseKey, Real>> found;
-    int body = static_cast<int>(k);
-    do {
-        for (int e = sleepers.forces.head[static_cast<std::size_t>(body)];
-             e >= 0;) {
-            const SleepingForces::Entry& entry =
-                sleepers.forces.entries[static_cast<std::size_t>(e)];
-            found.emplace_back(entry.key, entry.force * state.method.start.cache.h);
-            e = entry.next;
-        }
-        body = sleepers.set.ring[static_cast<std::size_t>(body)];
-    } while (body != static_cast<int>(k));
+    for_each_resting_force(state, k, [&](const ImpulseKey& key, Real force) {
+        found.emplace_back(key, force * state.method.start.cache.h);
+    });
     std::sort(found.begin(), found.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
     return found;
@@ -103,7 +104,7 @@ inline void list_resting_contacts(const EngineState& state, Index k,
             if (scene.carrier(pair.a) == k || scene.carrier(pair.b) == k)
                 add_contacts(scene, pair.a, pair.b, pair.manifold, 0, found);
     for (const Contact& c : found.contacts) {
-        list.push_back(view_of(state, c));
+        list.push_back(view_of(state, c, wall_id(state, c)));
         list.back().impulse = impulse(c, normal_part);
         list.back().friction = impulse(c, tangent_part);
     }

@@ -6,7 +6,7 @@
 /// changes its rows with such a place.
 #pragma once
 
-#include "chapters/19_engine/world_state.hpp"
+#include "chapters/19_engine/renumbered_impulses.hpp"
 
 namespace rigid {
 
@@ -39,27 +39,45 @@ inline int free_place(const EngineState& state, int rows)
     return found == free.rend() ? -1 : static_cast<int>(*found);
 }
 
+/// A new place at the end, with so many rows.
+inline JointId append_place(EngineState& state, int count)
+{
+    JointedScene& scene = state.scene;
+    const auto first = static_cast<int>(scene.joints.size());
+    scene.joints.resize(scene.joints.size() + static_cast<std::size_t>(count));
+    scene.owner.resize(scene.joints.size(), static_cast<int>(scene.placed.size()));
+    scene.placed.push_back({{}, first, count, true});
+    state.joint_notes.emplace_back();
+    return state.joints.append();
+}
+
 //! [change_rows]
 /// A joint gets another number of rows: it changes them with a free place, and where
 /// there is none that fits, new rows at the end make one. Rows of others stay where
-/// they are.
+/// they are. Rows that stay what they are keep their impulses.
 inline void change_rows(EngineState& state, std::size_t number,
-                        const RigidJoint& joint, int count)
+                        const RigidJoint& joint,
+                        const std::vector<PointJoint>& rows)
 {
     JointedScene& scene = state.scene;
+    const auto count = static_cast<int>(rows.size());
     int other = free_place(state, count);
     if (other < 0) {
-        other = static_cast<int>(scene.placed.size());
-        const std::size_t first = scene.joints.size();
-        scene.placed.push_back({joint, static_cast<int>(first), count, true});
-        scene.joints.resize(first + static_cast<std::size_t>(count));
-        scene.owner.resize(scene.joints.size(), other);
-        state.joint_notes.emplace_back();
-        (void)state.joints.append();
+        other = static_cast<int>(append_place(state, count).place);
         state.joints.give_back(static_cast<std::size_t>(other));
     }
     PlacedJoint &mine = scene.placed[number],
                 &free = scene.placed[static_cast<std::size_t>(other)];
+    const std::vector<PointJoint> before = rows_of(mine.joint);
+    renumber_impulses(state, mine, [&](int row) {
+        const auto same =
+            std::find_if(rows.begin(), rows.end(), [&](const PointJoint& it) {
+                return is_same_row(it, before[static_cast<std::size_t>(row)]);
+            });
+        return same == rows.end()
+                   ? -1
+                   : free.first + static_cast<int>(same - rows.begin());
+    });
     std::swap(mine.first, free.first);
     std::swap(mine.count, free.count);
     free.joint.a = joint.a, free.joint.b = joint.b;
@@ -69,11 +87,28 @@ inline void change_rows(EngineState& state, std::size_t number,
     std::fill_n(scene.owner.begin() + free.first, free.count, other);
 }
 
+/// Throws for a joint that makes no sense; a body that is switched off counts as what
+/// it is when it is on.
+inline void require_joint(const EngineState& state, std::size_t number,
+                          const RigidJoint& joint)
+{
+    const auto is_off = [&](Index k) {
+        return k != world && state.note(k).disabled;
+    };
+    if (!is_off(joint.a) && !is_off(joint.b))
+        return require_valid(joint, number, state.scene.bodies);
+    Bodies<3> on = state.scene.bodies;
+    for (const Index k : {joint.a, joint.b})
+        if (k != world && state.note(k).dynamic)
+            on.inverse_mass.segment<3>(3 * k).setOnes();
+    require_valid(joint, number, on);
+}
+
 /// Another motor, spring, target or limit, also where there was none.
 inline void replace_joint(EngineState& state, std::size_t number,
                           const RigidJoint& joint)
 {
-    require_valid(joint, number, state.scene.bodies);
+    require_joint(state, number, joint);
     const JointKind kind = state.scene.placed[number].joint.kind;
     if (joint.kind != kind)
         throw std::invalid_argument("joint " + std::to_string(number) + " is a " +
@@ -81,10 +116,12 @@ inline void replace_joint(EngineState& state, std::size_t number,
                                     " joint and would be a " +
                                     std::string(to_string(joint.kind)) +
                                     " joint; another kind is another joint");
-    const auto count = static_cast<int>(rows_of(joint).size());
-    if (count != state.scene.placed[number].count)
-        change_rows(state, number, joint, count);
-    change_joint(state.scene, number, joint);
+    const std::vector<PointJoint> rows = rows_of(joint);
+    if (static_cast<int>(rows.size()) != state.scene.placed[number].count)
+        change_rows(state, number, joint, rows);
+    PlacedJoint& placed = state.scene.placed[number];
+    placed.joint = joint;
+    std::copy(rows.begin(), rows.end(), state.scene.joints.begin() + placed.first);
 }
 //! [change_rows]
 
@@ -103,6 +140,19 @@ inline void switch_joint(EngineState& state, std::size_t number)
     else placed.broken = note.was_broken;
 }
 
+/// Calls visit(number) for each joint of body k; it may take the joint out.
+template <class Visit>
+void for_each_joint_of(const EngineState& state, Index k, const Visit& visit)
+{
+    int left = state.note(k).joints;
+    for (std::size_t j = 0; left > 0; ++j) {
+        const RigidJoint& it = state.scene.placed[j].joint;
+        if (!state.joints.has(j) || (it.a != k && it.b != k)) continue;
+        --left;
+        visit(j);
+    }
+}
+
 /// A joint's place stays, as rows that hold nothing.
 inline void take_out_joint(EngineState& state, std::size_t number)
 {
@@ -113,6 +163,7 @@ inline void take_out_joint(EngineState& state, std::size_t number)
             state.list_unstopped(k);
             state.disturb(k);
         }
+    renumber_impulses(state, placed, [](int) { return -1; });
     hold_nothing(state.scene, placed);
     placed.broken = true;
     state.joint_notes[number] = {};
@@ -124,19 +175,14 @@ inline JointId enter_joint(EngineState& state, const RigidJoint& joint)
 {
     JointedScene& scene = state.scene;
     const std::vector<PointJoint> rows = rows_of(joint);
-    const int free = free_place(state, static_cast<int>(rows.size()));
-    JointId id;
-    if (free < 0) {
-        add_joint(scene, joint);
-        id = state.joints.append();
-        state.joint_notes.emplace_back();
-    } else {
-        id = state.joints.take(static_cast<std::size_t>(free));
-        PlacedJoint& placed = scene.placed[id.place];
-        placed.joint = joint;
-        placed.broken = false;
-        std::copy(rows.begin(), rows.end(), scene.joints.begin() + placed.first);
-    }
+    const auto count = static_cast<int>(rows.size());
+    const int free = free_place(state, count);
+    const JointId id = free < 0 ? append_place(state, count)
+                                : state.joints.take(static_cast<std::size_t>(free));
+    PlacedJoint& placed = scene.placed[id.place];
+    placed.joint = joint;
+    placed.broken = false;
+    std::copy(rows.begin(), rows.end(), scene.joints.begin() + placed.first);
     for (const Index k : {joint.a, joint.b})
         if (k != world) {
             ++state.note(k).joints;

@@ -5,10 +5,10 @@
 ///     λ = −h (k C + h k w' + c w')                                                    (16.8), elsewhere
 ///
 /// A = J M⁻¹ Jᵀ. The force at the end of the step, (16.8), takes a part of h² ω² of a swing's energy in each step, whatever its
-/// damping: of 0.2 m at 10 rad/s 5 mm are left after 5 s. With a quarter of it, and what w was taken off, a mass on a spring
-/// without damping turns by the same angle in each step and keeps its amplitude, as (x, u) ↦ (x', u') has the determinant 1; c
-/// is taken as before. It is the trapezoidal rule of positions that are half a step later than velocities. A swing of less than
-/// six steps, h ω > 1, no step resolves: it is damped.
+/// damping: of 0.2 m at 10 rad/s 5 mm are left in the fifth second. With a quarter of it, and what w was taken off, a mass on a
+/// spring without damping turns by the same angle in each step and keeps its amplitude, as (x, u) ↦ (x', u') has the determinant
+/// 1; c is taken as before. It is the trapezoidal rule of positions that are half a step later than velocities. A swing of less
+/// than six steps, h ω > 1, no step resolves: it is damped.
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"

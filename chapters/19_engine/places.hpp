@@ -55,6 +55,7 @@ struct Places {
         std::erase(free, static_cast<std::uint32_t>(place));
         taken[place] = 1;
         ++generation[place];
+        if (generation[place] == 0) generation[place] = 1;  // 0 names nothing
         ++count;
         return id(place);
     }

@@ -176,7 +176,7 @@ public:
     bool is_broken(JointId joint) const;
     /// The coordinate q that the joint leaves free [m, rad].
     Real coordinate(JointId joint) const;
-    /// The force on b at its frame [N], in the last sub-step of the last step.
+    /// The force on b at its frame [N], in the last sub-step; of sleepers at rest.
     Vec2 force(JointId joint) const;
     Real torque(JointId joint) const;  ///< on b, besides that [N m]
     Real error(JointId joint) const;   ///< the largest |C| of its rows [m, rad]

@@ -91,10 +91,7 @@ void World::remove(BodyId body)
             list_shape(s.scene, i, i);
         }
     for (const Index i : whole) {
-        for (std::size_t j = 0; s.note(i).joints > 0 && j < s.joints.size(); ++j)
-            if (s.joints.has(j) &&
-                (s.scene.placed[j].joint.a == i || s.scene.placed[j].joint.b == i))
-                take_out_joint(s, j);
+        for_each_joint_of(s, i, [&](std::size_t j) { take_out_joint(s, j); });
         take_out_body(s, i);
     }
     s.note(Call::remove_body, body);

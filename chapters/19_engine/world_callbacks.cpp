@@ -28,7 +28,8 @@ void hand_on(EngineState& state)
         stage.counts = [&state, views = std::vector<ContactView>{}](
                            std::span<const Contact> points) mutable {
             views.clear();
-            for (const Contact& c : points) views.push_back(view_of(state, c));
+            for (const Contact& c : points)
+                views.push_back(view_of(state, c, wall_id(state, c)));
             return state.pre_solve(views[0].touch, views);
         };
 }

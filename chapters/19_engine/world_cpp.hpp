@@ -2,6 +2,7 @@
 /// The state behind a World: what world.cpp and its sisters world_….cpp share.
 #pragma once
 
+#include "chapters/19_engine/contact_lists.hpp"
 #include "chapters/19_engine/recording.hpp"
 #include "chapters/19_engine/saved_world.hpp"
 #include "chapters/19_engine/shape_queries.hpp"
@@ -28,6 +29,9 @@ struct World::State : EngineState {
     Reaction reaction(JointId joint) const
     {
         const std::size_t i = joints.require(joint, "joint");
+        const RigidJoint& it = scene.placed[i].joint;
+        for (const Index k : {it.a, it.b})
+            if (is_asleep(*this, k)) return resting_reaction(*this, i, k);
         return is_answered() ? rigid::reaction(scene, now, i) : Reaction{};
     }
 
@@ -52,6 +56,9 @@ struct World::State : EngineState {
         ToldManifolds& sleepers = awake();
         Manifolds& stage = sleepers.touching;
         const bool looked = stage.finder.tested >= 0;
+        met_walls.clear();
+        for (const Contact& c : now.contacts)
+            met_walls.push_back(wall_id(*this, c));
         for (const int k : now.active) displace(k);
         if (now.active.empty()) {  // nothing is awake, so no touch begins
             now.sources.clear();

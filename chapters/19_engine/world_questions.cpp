@@ -104,9 +104,7 @@ void World::contacts(BodyId body, std::vector<ContactView>& list) const
     const State& s = *state_;
     const Index k = s.number(body);
     list.clear();
-    if (k < static_cast<Index>(s.awake().set.activity.size()) &&
-        s.awake().is_asleep(k))
-        list_resting_contacts(s, k, list);
+    if (is_asleep(s, k)) list_resting_contacts(s, k, list);
     else
         list_contacts(
             s, [k](const Contact& c) { return c.a == k || c.b == k; }, list);

@@ -40,10 +40,10 @@ struct EngineState : KnownBodies {
     int more_shapes = 0;  ///< that bodies have besides the first
 
     Touching touching;
-    std::vector<Seen> seen;       ///< by sensors, ascending
-    std::vector<Seen> seen_then;  ///< before this step
-    Events events;                ///< of the last step
-    Events meanwhile;             ///< what ended by calls since then
+    std::vector<Seen> seen, seen_then;  ///< by sensors, ascending; before this step
+    std::vector<WallId> met_walls;      ///< by contacts of the last step; or none
+    Events events;                      ///< of the last step
+    Events meanwhile;                   ///< what ended by calls since then
     StepWork work;
     Real time = 0;
     std::int64_t steps = 0;

@@ -169,11 +169,7 @@ inline void switch_body(EngineState& state, Index k, bool on)
     }
     state.write_mass(k);
     state.write_filter(k);
-    for (std::size_t j = 0; state.note(k).joints > 0 && j < state.joints.size();
-         ++j)
-        if (state.joints.has(j) && (state.scene.placed[j].joint.a == k ||
-                                    state.scene.placed[j].joint.b == k))
-            switch_joint(state, j);
+    for_each_joint_of(state, k, [&](std::size_t j) { switch_joint(state, j); });
 }
 //! [switch]
 

@@ -71,7 +71,7 @@ JointId World::add_joint(BodyId a, BodyId b, RigidJoint how)
     State& s = *state_;
     how.a = s.number_or_world(a);
     how.b = s.number(b);
-    require_valid(how, s.joints.size(), s.scene.bodies);
+    require_joint(s, s.joints.size(), how);
     const JointId id = enter_joint(s, how);
     s.note(Call::add_joint, a, b, how);
     return id;
@@ -109,12 +109,9 @@ std::vector<JointId> World::joints() const { return state_->joints.all(); }
 std::vector<JointId> World::joints(BodyId body) const
 {
     const State& s = *state_;
-    const Index k = s.number(body);
     std::vector<JointId> found;
-    for (std::size_t j = 0; static_cast<int>(found.size()) < s.note(k).joints; ++j)
-        if (const RigidJoint& it = s.scene.placed[j].joint;
-            s.joints.has(j) && (it.a == k || it.b == k))
-            found.push_back(s.joints.id(j));
+    for_each_joint_of(s, s.number(body),
+                      [&](std::size_t j) { found.push_back(s.joints.id(j)); });
     return found;
 }
 std::uint64_t World::user(JointId joint) const

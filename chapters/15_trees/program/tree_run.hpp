@@ -66,8 +66,8 @@ inline Demo tree_demo(const std::string& name, const std::string& summary,
     Demo scene = turning_demo<JointRunBy<TreeMethods>>(
         name, summary, view, h, {"trees", "sweeps", "rattle"}, setup);
     scene.tunables.push_back({"stiff", "",
-                              "1: loaded joints are stiff at the end of the step",
-                              1, 0, 1, Numbers::whole});
+                              "1: what a load stiffens gets inertia, (15.15)", 1, 0,
+                              1, Numbers::whole});
     return scene;
 }
 

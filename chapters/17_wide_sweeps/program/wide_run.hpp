@@ -103,8 +103,8 @@ private:
             order = visiting_order(ordered_);
         }
         chain_ = longest_chain(now_.rows, std::span<const int>(order), bodies);
-        residual_ =
-            natural_residual(now_.rows, now_.solution.lambda, scene_.bodies.u);
+        residual_ = natural_residual(now_.rows, now_.solution.lambda,
+                                     scene_.bodies.u, now_.length);
     }
 
     JointedScene scene_;
