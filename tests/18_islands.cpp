@@ -746,10 +746,12 @@ TEST_CASE("islands refuse settings that make no sense and keep the old ones", "[
             "small steps of a heap: substeps is 0; it must be one or more");
     refuses([](IslandChoice& it) { it.heaps.again = -1; },
             "small steps of a heap: again is -1; it must be zero or more");
-    refuses([](IslandChoice& it) { it.heaps.beta = 1.5; }, "small steps of a heap: beta is 1.5; it must be at most 1");
+    refuses([](IslandChoice& it) { it.heaps.beta = 1.5; },
+            "small steps of a heap: beta is 1.5; it must be at most 1");
     refuses([](IslandChoice& it) { it.heaps.open = std::nan(""); },
             "small steps of a heap: open is nan; it must be zero or positive");
-    refuses([](IslandChoice& it) { it.slow = -1; }, "islands are slow below -1 l/s; it must be zero or positive");
+    refuses([](IslandChoice& it) { it.slow = -1; },
+            "islands are slow below -1 l/s; it must be zero or positive");
 }
 
 }  // namespace islands

@@ -46,7 +46,7 @@ inline void require_valid(const NewtonSettings& settings)
 
 /// What of a problem has its positions corrected.
 enum class Corrected : unsigned char {
-    errors,           ///< of joints and of contacts, by sweeps: with the J of the step
+    errors,  ///< of joints and of contacts, by sweeps: with the J of the step
     arcs_and_errors,  ///< and what the step bends away: its joints are met, not swept
     overlaps,         ///< what lies too deep, once; no joint is closed
     joints,           ///< errors of joints, with limits that are near held
