@@ -4,20 +4,22 @@
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
 
-#include <ranges>
 #include <span>
 
 namespace rigid {
 
 /// The natural residual of λ and u on these rows, with the bounds that λ sets [m/s], (3.15). A row that only turns, in
 /// rad/s, is taken at the distance ℓ; one that takes its bounds from another is a speed already (13.3).
-/// \param numbers  of the rows that are looked at
-template <int Dof, class Numbers>
-Real natural_residual(const std::vector<Row<Dof>>& rows, const Numbers& numbers,
-                      const VecX& lambda, const VecX& u, Real length)
+/// \param count   how many rows are looked at
+/// \param number  int(int): which they are
+template <int Dof, class Number>
+Real natural_residual(const std::vector<Row<Dof>>& rows, int count,
+                      const Number& number, const VecX& lambda, const VecX& u,
+                      Real length)
 {
     Real largest = 0;
-    for (const int i : numbers) {
+    for (int k = 0; k < count; ++k) {
+        const int i = number(k);
         const Row<Dof>& row = rows[static_cast<std::size_t>(i)];
         const auto [lo, hi] = bounds_of(row, lambda);
         const Real w = row.velocity(u) + row.softness * lambda[i];
@@ -39,8 +41,9 @@ template <int Dof>
 Real natural_residual(const std::vector<Row<Dof>>& rows, const VecX& lambda,
                       const VecX& u, Real length)
 {
-    const auto count = static_cast<int>(rows.size());
-    return natural_residual(rows, std::views::iota(0, count), lambda, u, length);
+    return natural_residual(
+        rows, static_cast<int>(rows.size()), [](int k) { return k; }, lambda, u,
+        length);
 }
 
 /// Of some rows of a step.
@@ -48,7 +51,10 @@ template <int Dof>
 Real natural_residual(const StepData<Dof>& now, std::span<const int> rows,
                       const VecX& u)
 {
-    return natural_residual(now.rows, rows, now.solution.lambda, u, now.length);
+    return natural_residual(
+        now.rows, static_cast<int>(rows.size()),
+        [rows](int k) { return rows[static_cast<std::size_t>(k)]; },
+        now.solution.lambda, u, now.length);
 }
 
 }  // namespace rigid
