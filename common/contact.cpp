@@ -24,8 +24,10 @@ Contact segment_contact(const DiscScene& scene, const VecX& x, std::size_t i, In
         return {world, b, height >= 0 ? left : Vec2(-left), std::abs(height) - reach, wall};
     }
     const Vec2 from_end = there < 0 ? d : Vec2(centre - segment.q);
-    const Real distance = from_end.norm();  // never zero: the foot lies outside of the segment
-    return {world, b, from_end / distance, distance - reach, wall};
+    const Real distance = from_end.norm();
+    // Zero for a centre in q whose foot lies beyond it by rounding: any direction parts them.
+    const Vec2 normal = distance > 0 ? Vec2(from_end / distance) : perpendicular(along);
+    return {world, b, normal, distance - reach, wall};
 }
 
 void find_contacts(const DiscScene& scene, Real margin, std::vector<Contact>& contacts)

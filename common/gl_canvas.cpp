@@ -357,6 +357,9 @@ void paint_picture(ImDrawList& list, const std::vector<Pane>& panes, const Pictu
 
 void save_framebuffer(const std::string& file, int x, int y, int width, int height)
 {
+    if (width < 1 || height < 1)
+        throw std::runtime_error("the picture \"" + file + "\" would have " + std::to_string(width) + " x " +
+                                 std::to_string(height) + " pixels; is the window minimised?");
     std::vector<unsigned char> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(x, y, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());

@@ -19,7 +19,7 @@ public:
     /// Uniform in [0, 1), with 53 random bits.
     Real uniform() { return static_cast<Real>(bits_() >> 11) * 0x1.0p-53; }
 
-    /// Uniform in [low, high).
+    /// Uniform in [low, high]; high itself by rounding alone.
     Real uniform(Real low, Real high) { return low + (high - low) * uniform(); }
 
     /// One of 0 … count-1. The bias of the remainder is below count / 2^64.

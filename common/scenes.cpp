@@ -28,10 +28,17 @@ void require_body(const std::string& what, Index k, Index count)
                                          : "; the scene has bodies 0 to " + std::to_string(count - 1)));
 }
 
+/// An infinite mass is one: that disc cannot move.
+void require_mass(Index k, Real mass)
+{
+    if (!(mass > 0)) refuse("the mass of disc " + std::to_string(k), mass, "positive");
+    if (!std::isfinite(1 / mass))
+        refuse("the mass of disc " + std::to_string(k), mass, "so large that its inverse is finite");
+}
+
 void place(DiscScene& scene, Index k, Vec2 position, Real mass, Real radius)
 {
-    if (!(mass > 0))  // an infinite one cannot move
-        refuse("the mass of disc " + std::to_string(k), mass, "positive");
+    require_mass(k, mass);
     scene.bodies.position(k) = position;
     scene.bodies.inverse_mass.segment<2>(2 * k).setConstant(1 / mass);
     scene.radius[k] = radius;
@@ -102,7 +109,7 @@ Index add_disc(DiscScene& scene, const Vec2& position, Real mass, Real radius)
                                     shortest(position.y()) + "; it must be finite");
     if (!(radius > 0) || !std::isfinite(radius))
         refuse("the radius of " + name, radius, "a positive number of metres");
-    if (!(mass > 0)) refuse("the mass of " + name, mass, "positive");
+    require_mass(k, mass);
     scene.bodies.resize(k + 1);
     scene.radius.conservativeResize(k + 1);
     place(scene, k, position, mass, radius);
@@ -112,10 +119,8 @@ Index add_disc(DiscScene& scene, const Vec2& position, Real mass, Real radius)
 void require_valid(const DiscScene& scene)
 {
     require_valid(scene.bodies);
+    require_bodies(scene);
     const Index K = scene.bodies.count();
-    if (scene.radius.size() != K)
-        throw std::invalid_argument("there are " + std::to_string(scene.radius.size()) + " radii for " +
-                                    std::to_string(K) + " discs");
     for (Index k = 0; k < K; ++k)
         if (!(scene.radius[k] > 0) || !std::isfinite(scene.radius[k]))
             refuse("the radius of disc " + std::to_string(k), scene.radius[k], "a positive number of metres");
@@ -139,8 +144,6 @@ void require_valid(const DiscScene& scene)
     for (std::size_t i = 0; i < scene.links.size(); ++i) {
         const Link& link = scene.links[i];
         const std::string name = "link " + std::to_string(i);
-        require_body(name, link.a, K);
-        require_body(name, link.b, K);
         if (link.a == link.b)
             throw std::invalid_argument(name + " joins body " + std::to_string(link.a) + " to itself");
         if (!(link.length > 0) || !std::isfinite(link.length))
@@ -149,17 +152,16 @@ void require_valid(const DiscScene& scene)
     for (std::size_t i = 0; i < scene.bends.size(); ++i) {
         const Bend& bend = scene.bends[i];
         const std::string name = "bend " + std::to_string(i);
-        require_body(name, bend.left, K);
-        require_body(name, bend.middle, K);
-        require_body(name, bend.right, K);
+        if (bend.left == bend.middle || bend.right == bend.middle || bend.left == bend.right)
+            throw std::invalid_argument(name + " names body " +
+                                        std::to_string(bend.left == bend.middle ? bend.left : bend.right) +
+                                        " twice; it must name three bodies");
         if (!(bend.length > 0) || !std::isfinite(bend.length))
             refuse("the link length of " + name, bend.length, "a positive number of metres");
     }
     for (std::size_t i = 0; i < scene.joints.size(); ++i) {
         const Joint& joint = scene.joints[i];
         const std::string name = "joint " + std::to_string(i);
-        if (joint.a != world) require_body(name, joint.a, K);
-        require_body(name, joint.b, K);
         if (joint.a == joint.b)
             throw std::invalid_argument(name + " joins body " + std::to_string(joint.a) + " to itself");
         const Real length = joint.direction.norm();

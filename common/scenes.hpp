@@ -44,7 +44,7 @@ void link_neighbours(DiscScene& scene);
 
 /// Throws std::invalid_argument, naming the thing and the value, unless the scene makes sense:
 /// finite numbers, masses not negative, radii positive, unit normals, body indices that exist,
-/// no link of a body to itself, no rest length of zero or less.
+/// no link of a body to itself, no bend that names one twice, no rest length of zero or less.
 void require_valid(const DiscScene& scene);
 
 /// Throws std::invalid_argument, naming the thing, unless each link, bend and joint names bodies of the scene, and there

@@ -130,12 +130,15 @@ std::string svg_colour(Colour colour)
 std::string to_svg(const std::vector<Pane>& panes)
 {
     if (panes.empty()) throw std::invalid_argument("the picture has 0 panes; it must have at least one");
-    for (const Pane& pane : panes)
-        if (!pane.view.centre.allFinite() || !pane.view.half_size.allFinite() ||
-            !(pane.view.half_size.minCoeff() > 0))
+    for (const Pane& pane : panes) {
+        if (!pane.view.centre.allFinite())
+            throw std::invalid_argument("the centre of the view is " + readable(pane.view.centre.x()) + ", " +
+                                        readable(pane.view.centre.y()) + "; it must be finite");
+        if (!pane.view.half_size.allFinite() || !(pane.view.half_size.minCoeff() > 0))
             throw std::invalid_argument("the view shows " + readable(2 * pane.view.half_size.x()) + " m x " +
                                         readable(2 * pane.view.half_size.y()) +
                                         " m; both must be positive and finite");
+    }
 
     const PictureLayout layout = lay_out(panes);
     const std::string width = number(layout.width), height = number(layout.height);

@@ -29,6 +29,7 @@ inline std::string shortest(Real value)
 /// With so many digits behind the point; what is too large for that becomes shortest().
 inline std::string fixed(Real value, int digits)
 {
+    if (!std::isfinite(value)) return shortest(value);
     char text[64];
     const auto [end, error] =
         std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits);
@@ -41,6 +42,7 @@ inline std::string fixed(Real value, int digits)
 /// With so many significant digits, for a reader: 9.81, 1.2e-05.
 inline std::string significant(Real value, int digits)
 {
+    if (!std::isfinite(value)) return shortest(value);
     char text[64];
     const auto end =
         std::to_chars(text, text + sizeof text, value + 0.0, std::chars_format::general, digits).ptr;

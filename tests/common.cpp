@@ -129,6 +129,27 @@ TEST_CASE("a wall with two ends is solid from both sides and round at its ends")
     CHECK((at(-1.3, -0.4).normal - Vec2(-0.6, -0.8)).norm() < rounding);
 }
 
+TEST_CASE("a disc whose centre is an end of a wall is parted from it along a unit normal")
+{
+    // The foot of such a centre lies beyond the end by rounding in about one of four.
+    Random random(3);
+    for (int sample = 0; sample < 100; ++sample) {
+        DiscScene scene;
+        Segment& wall = scene.segments.emplace_back(Segment{{0, 0}, {0, 0}, 0.05});
+        for (Vec2* const end : {&wall.p, &wall.q})
+            for (Real& coordinate : *end) coordinate = random.uniform(-1, 1);
+        for (const Vec2& end : {wall.p, wall.q}) add_disc(scene, end, 1, 0.1);
+        scene.linked = PairSet::all();
+        std::vector<Contact> contacts;
+        find_contacts(scene, 0, contacts);
+        REQUIRE(contacts.size() == 2);
+        for (const Contact& contact : contacts) {
+            CHECK(contact.normal.norm() == Approx(1).margin(rounding));
+            CHECK(contact.gap == Approx(-0.15).margin(rounding));
+        }
+    }
+}
+
 TEST_CASE("pairs that do not collide are a list in which each pair is found in any order")
 {
     const PairSet some({{3, 1}, {1, 3}, {0, 2}});
@@ -155,6 +176,9 @@ TEST_CASE("a disc is added to a scene with its mass and radius or refused by a s
     CHECK(sentence_of([&] {
               add_disc(scene, {0, 0}, 0, 1);
           }) == "the mass of disc 4 is 0; it must be positive");
+    CHECK(sentence_of([&] {
+              add_disc(scene, {0, 0}, 1e-310, 1);
+          }) == "the mass of disc 4 is 1e-310; it must be so large that its inverse is finite");
     CHECK(sentence_of([&] {
               add_disc(scene, {0, 0}, 1, -1);
           }) == "the radius of disc 4 is -1; it must be a positive number of metres");
@@ -315,6 +339,25 @@ TEST_CASE("a scene that makes no sense is refused by a sentence that names the t
         scene.links[2] = {4, 4, 0.1};
         CHECK(sentence_of(scene) == "link 2 joins body 4 to itself");
     }
+    SECTION("a bend of two bodies")
+    {
+        scene.bends[1] = {3, 4, 4, 0.1};
+        CHECK(sentence_of(scene) == "bend 1 names body 4 twice; it must name three bodies");
+        scene.bends[1] = {4, 4, 3, 0.1};
+        CHECK(sentence_of(scene) == "bend 1 names body 4 twice; it must name three bodies");
+        scene.bends[1] = {4, 3, 4, 0.1};
+        CHECK(sentence_of(scene) == "bend 1 names body 4 twice; it must name three bodies");
+    }
+    SECTION("a joint to a body that does not exist")
+    {
+        scene.joints.push_back({.b = 10});
+        CHECK(sentence_of(scene) == "joint 0 names body 10; the scene has bodies 0 to 9");
+    }
+    SECTION("a radius too few")
+    {
+        scene.radius.conservativeResize(9);
+        CHECK(sentence_of(scene) == "there are 9 radii for 10 discs");
+    }
     SECTION("a link of no length")
     {
         scene.links[1].length = 0;
@@ -352,6 +395,18 @@ TEST_CASE("a message has the number itself and not its first six digits")
     CHECK(sentence_of(scene) == "inverse_mass[4] is -1e-12 1/kg; it must be zero (cannot move) or positive");
     for (const Real value : {1e-9, 0.1, 1.0 / 3, -1e300, 5e-324, 123456.789})
         CHECK(parse_real(shortest(value)) == value);
+}
+
+TEST_CASE("what is no finite number is written the same in each form")
+{
+    CHECK(fixed(-infinity, 2) == "-inf");
+    CHECK(significant(-infinity, 4) == "-inf");
+    for (const Real value : {std::nan(""), -std::nan("")}) {
+        CHECK(fixed(value, 2) == "nan");
+        CHECK(readable(value) == "nan");
+    }
+    CHECK(fixed(infinity, 2) == "inf");
+    CHECK(fixed(-0.001, 2) == "0.00");  // and zero has no sign
 }
 
 TEST_CASE("a page writes each number as every other program does", "[house]")

@@ -186,6 +186,9 @@ TEST_CASE("options that lack something or contradict each other are refused")
     require_refused({"--set", "g=4", "--set", "g=5"}, {"g is set twice", "\"g=5\""});
     require_refused({"--set", "g=4", "beads=2", "g=4"}, {"g is set twice"});
     require_refused({"--problem", "x.mlcp", "--scene", "fall"}, {"--scene", "--problem"});
+    require_refused({"--problem", "x.mlcp", "--seed", "3"}, {"--seed", "--problem"});
+    require_refused({"--problem", "x.mlcp", "--csv", ""}, {"--csv", "--problem"});
+    require_refused({"--echo", "a.txt", "--seed", "3"}, {"--seed", "--echo"});
     require_refused({"--problem", "x.mlcp", "--method", "magic"}, {"\"magic\"", "enumerate, schur"});
     require_refused({"--echo"}, {"--echo", "has no value"});
     require_refused({"--echo", ""}, {"--echo", "file name"});
@@ -756,6 +759,22 @@ TEST_CASE("panes stand side by side with their labels")
     CHECK(four.areas[3].y > four.areas[0].y + four.areas[0].height);
 }
 
+TEST_CASE("each pane has a place with some picture in it also where a window has no room")
+{
+    const Real label = 26, gap = 10;
+    for (const View& view : {View{}, View{{0, 0}, {1, 1e-3}}, View{{0, 0}, {1e-3, 1}}})
+        for (const Rectangle& area :
+             {Rectangle{0, 0, 1, -20}, Rectangle{0, 0, -20, 600}, Rectangle{0, 0, 0, 0}})
+            for (std::size_t count = 1; count <= most_panes; ++count) {
+                const std::vector<Rectangle> places = pane_grid(area, count, view, label, gap);
+                REQUIRE(places.size() == count);
+                for (const Rectangle& place : places) {
+                    CHECK(place.width > 0);
+                    CHECK(place.height > label);
+                }
+            }
+}
+
 TEST_CASE("what is not finite or far away does not disturb a picture")
 {
     Canvas canvas;
@@ -786,6 +805,8 @@ TEST_CASE("a picture of nothing is refused")
 {
     CHECK_THROWS_AS(to_svg({}), std::invalid_argument);
     CHECK_THROWS_WITH(to_svg({{"", {{0, 0}, {0, 1}}, {}}}), Catch::Matchers::Contains("must be positive"));
+    CHECK_THROWS_WITH(to_svg({{"", {{0, -std::nan("")}, {1, 1}}, {}}}),
+                      "the centre of the view is 0, nan; it must be finite");
     CHECK_THROWS_WITH(write_svg("no/such/folder/a.svg", {{"", {}, {}}}),
                       Catch::Matchers::Contains("no/such/folder/a.svg"));
 }

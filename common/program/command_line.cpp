@@ -322,17 +322,10 @@ Options parse_command_line(const Program& program, int argc, const char* const* 
     }
     const auto require_no_scene = [&](const std::string& option, const std::string& file, const char* right) {
         if (file.empty()) refuse(option + " is \"\"; it must be a file name");
-        for (const auto& [name, given] : {std::pair{"--scene", !scene_name.empty()},
-                                          {"--set", !assignments.empty()},
-                                          {"--steps", !steps_text.empty()},
-                                          {"--h", !h_text.empty()},
-                                          {"--csv", !options.csv.empty()},
-                                          {"--svg", !options.svg.empty()},
-                                          {"--png", !options.png.empty()},
-                                          {"--record", !options.record.empty()},
-                                          {"--every", !every_text.empty()},
-                                          {"--dark", options.dark}})
-            if (given) refuse(std::string(name) + " is for scenes; with " + option + right);
+        for (const char* name : {"--scene", "--set", "--steps", "--h", "--seed", "--csv", "--svg", "--png",
+                                 "--record", "--every", "--dark"})
+            if (const CLI::Option* one = app.get_option_no_throw(name); one != nullptr && one->count() > 0)
+                refuse(std::string(name) + " is for scenes; with " + option + right);
     };
     for (std::size_t i = 0; i < own_names.size(); ++i) {
         const std::string& option = program.own_files[i].option;

@@ -7,12 +7,15 @@ namespace rigid {
 std::vector<Rectangle> pane_grid(const Rectangle& area, std::size_t count, const View& view, Real label,
                                  Real gap)
 {
+    constexpr Real smallest = 4;  // [pixels]
     std::vector<Rectangle> best;
     Real best_scale = -1;
     for (std::size_t columns = 1; columns <= count; ++columns) {
         const std::size_t rows = (count + columns - 1) / columns;
         const Real c = static_cast<Real>(columns), r = static_cast<Real>(rows);
-        const Real width = (area.width - (c - 1) * gap) / c, height = (area.height - (r - 1) * gap) / r;
+        // Of a minimised window nothing is left, and still each pane has its place.
+        const Real width = std::max((area.width - (c - 1) * gap) / c, smallest);
+        const Real height = std::max((area.height - (r - 1) * gap) / r, label + smallest);
         const Real scale = std::min(width / view.half_size.x(), (height - label) / view.half_size.y());
         if (scale <= 0.75 * best_scale) continue;
         best_scale = std::max(best_scale, scale);

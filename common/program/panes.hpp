@@ -12,7 +12,7 @@
 namespace rigid {
 
 /// Splits an area into a grid of panes of one view: nearly as large as they can be, rather beside
-/// each other than above.
+/// each other than above. There are `count` of them, with some pixels of picture each, however small the area is.
 /// \param label  height of the line above each picture
 std::vector<Rectangle> pane_grid(const Rectangle& area, std::size_t count, const View& view, Real label,
                                  Real gap);

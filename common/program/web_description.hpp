@@ -2,10 +2,10 @@
 /// A program as JSON, for the panel that a page builds from it: the same rows as the window's (panel_rows.hpp).
 ///
 ///     {"name": …, "title": …, "speeds": [{"value": 1, "text": "x 1"}, …],
-///      "scenes": [{"name": …, "summary": …, "steered": false, "methods": […], "shown": [true, …],
+///      "scenes": [{"name": …, "summary": …, "steered": false, "methods": […],
 ///                  "sliders": [{"name": …, "label": …, "help": …, "unit": …, "format": …, "low": …, "high": …,
-///                               "first": …, "whole": false, "logarithmic": false}, …],
-///                  "plots": [{"column": 0, "title": …, "help": …, "unit": …}, …],
+///                               "first": …, "whole": false, "names": […], "logarithmic": false}, …],
+///                  "plots": [{"column": 0, "title": …, "grey": …, "help": …, "unit": …}, …],
 ///                  "keys": [["Space", "pause and run"], …]}, …]}
 #pragma once
 

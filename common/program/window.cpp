@@ -435,7 +435,8 @@ private:
     {
         int width = 0, height = 0;
         glfwGetFramebufferSize(window_, &width, &height);
-        const int left = std::clamp(static_cast<int>(std::lround(density_ * pictures_.x)), 0, width - 1);
+        const int left =
+            std::clamp(static_cast<int>(std::lround(density_ * pictures_.x)), 0, std::max(width - 1, 0));
         save_framebuffer(file, left, 0, width - left, height);
     }
 
