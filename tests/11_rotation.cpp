@@ -90,6 +90,14 @@ RigidScene random_joints(Random& random)
                 scene.joints.push_back(joint);
             }
     scene.walls.push_back({{0.6, 0.8}, 0.3});
+    // these two have another point each for what they lead over
+    for (std::size_t i = 0; i < 4; ++i)
+        for (const Measure measure : {Measure::pulley, Measure::rack}) {
+            PointJoint joint = scene.joints[i];
+            joint.measure = measure;
+            joint.over_a = {-4, 6}, joint.over_b = {4, 7};
+            scene.joints.push_back(joint);
+        }
     return scene;
 }
 
@@ -386,6 +394,20 @@ TEST_CASE("angular momentum of pinned bodies changes by the impulse times the er
     for (const Real d : drifts) UNSCOPED_INFO(d);
     CHECK(drifts.front() > 1e-9);
     CHECK(std::abs(order_of(drifts) - 2) <= 0.15);
+}
+
+TEST_CASE("what a body cannot do has no share in its energy and momentum", "[house]")
+{
+    RigidScene scene;
+    add_body(scene, box(1, 1), 2, {3, 1});
+    add_body(scene, box(1, 1), 2, {5, 1});
+    scene.bodies.u << 1, 2, 0, 0, 0, 3;
+    scene.bodies.inverse_mass[2] = 0;                   // the first one does not turn
+    scene.bodies.inverse_mass.segment<2>(3).setZero();  // the second one does nothing else
+    const Real inertia = mass_of(box(1, 1), 2).inertia;
+    // rounding of a few operations
+    CHECK(std::abs(energy(scene) - (2 * 5.0 / 2 + 2 * 9.81 * 1 + inertia * 9 / 2)) <= 1e-13);
+    CHECK((momenta(scene.bodies) - Vec<3>(2, 4, 2 * (3 * 2 - 1 * 1) + inertia * 3)).norm() <= 1e-13);
 }
 
 // ---- mass
@@ -897,7 +919,16 @@ TEST_CASE("bad polygons and masses and joints are refused with a sentence", "[id
     CHECK(sentence_of([&] {
               add_body(scene, disc(1), Mass{-1, {0, 0}, 1}, {0, 0});
           }).find("the mass -1 kg") != std::string::npos);
+    CHECK(
+        sentence_of([&] {
+            add_body(scene, disc(1), Mass{1, {std::nan(""), 2}, 1}, {0, 0});
+        }) ==
+        "a body has its centroid at (nan, 2) m of its own axes; both must be numbers between -1e75 and 1e75");
     CHECK(scene.bodies.count() == 0);
+    CHECK(sentence_of([&] {
+              add_gears(scene, world, 1, 3, 2);
+          }).find("joint 0 joins bodies -1 and 3 among 0") == 0);
+    CHECK(scene.joints.empty());
 
     scene = rod_pendulum(std::array{0.1});
     const auto stepped = [](RigidScene broken) {

@@ -824,6 +824,21 @@ TEST_CASE("a pile 1024 times as large under 1024 times the gravity moves the sam
         "finite");
 }
 
+TEST_CASE("a contact has the surface of its own wall where another one is nearly parallel and nearer",
+          "[house]")
+{
+    // a shallow valley: over its middle both walls are within a millimetre of the point
+    RigidScene scene;
+    const Vec2 left(std::sin(0.02), std::cos(0.02)), right(-left.x(), left.y());
+    scene.walls = {{left, 0}, {right, 0}, {left, -1}};
+    for (const Real x : {-0.01, 0.01}) {
+        CHECK(wall_of(scene, left, {x, 0.001}) == 0);
+        CHECK(wall_of(scene, right, {x, 0.001}) == 1);
+    }
+    CHECK(wall_of(scene, left, -0.9 * left) == 2);  // of two that are parallel, the nearer
+    CHECK(wall_of(scene, {0, 1}, {0, 0}) == 3);     // none
+}
+
 TEST_CASE("bad surfaces are refused with a sentence", "[house]")
 {
     const auto refused = [](Surface surface) {
@@ -847,6 +862,21 @@ TEST_CASE("bad surfaces are refused with a sentence", "[house]")
     CHECK(refused({0, 0, 0, -1}) ==
           "the rolling arm of body 0 is -1 m; it must be zero or positive and finite");
     CHECK(refused({0.5, 0, 0, 0}) == "accepted");
+    RoughScene table = thrown_disc(1, 0.3);
+    table.cloth = {1e308, 9.81, 0};  // its force would be infinite, and its moment no number
+    CHECK(sentence_of([&] { require_valid_surfaces(table); }) ==
+          "the cloth has the friction coefficient 1e+308, the arm 0 m and the gravity 9.81 m/s²; they must "
+          "be from "
+          "zero to 1e75");
+    for (const Real e : {-1.0, 2.0, std::nan("")}) {
+        FrictionRows rod = touching_rod(1, 0.8, 0.3);
+        FindFriction find;
+        VecX u = rod.u_star;
+        CHECK(sentence_of([&] {
+                  impact(rod.rows, e, ImpactLaw::poisson, find, u);
+              }).find("the restitution of an impact is ") == 0);
+        CHECK(u == rod.u_star);
+    }
     RoughScene scene = on_a_slope(box(1, 1), 0.5, 15, 0.3);
     scene.surfaces.push_back({});
     CHECK(sentence_of([&] { require_valid_surfaces(scene); }) ==

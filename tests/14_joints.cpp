@@ -121,6 +121,29 @@ TEST_CASE("a joint bears what statics says", "[idea]")
     CHECK(std::abs(bears.torque - 2 * 9.81 * 0.5) <= 1e-9);
 }
 
+TEST_CASE("a hinge bears no torque however fast its body turns", "[idea]")
+{
+    // The rod turns by up to 0.3 rad in a step: about the point where the pin is then, its impulses have no moment.
+    for (const Real spin : {1.0, 10.0, 20.0}) {
+        JointedScene scene;
+        scene.gravity = {0, 0};
+        add_body(scene, capsule(1, 0), thin_rod(1, 2), {0.5, 0});
+        RigidJoint hinge = joint_at(scene, JointKind::revolute, world, 0, {0, 0});
+        hinge.breaking_torque = 1e-6;
+        add_joint(scene, hinge);
+        scene.bodies.velocity(0) << 0, spin / 2, spin;
+        Exact method;
+        StepData<3> now;
+        for (int i = 0; i < 10; ++i) {
+            step(scene, {}, method, now);
+            const Reaction bears = reaction(scene, now, 0);
+            REQUIRE((i == 0 || bears.force.norm() > 0.5 * spin * spin));    // m r ω² is 1 kg m times ω²
+            REQUIRE(std::abs(bears.torque) <= 1e-12 * bears.force.norm());  // rounding
+        }
+        CHECK_FALSE(scene.placed[0].broken);
+    }
+}
+
 TEST_CASE("an Atwood machine whose pulley turns starts with the acceleration and the tensions by hand",
           "[idea]")
 {
@@ -191,6 +214,57 @@ TEST_CASE("a motor reaches its speed as far as its torque lets it", "[idea]")
     for (int i = 1; i <= 50; ++i) {
         step(scene, {.h = 0.01}, method, now);
         CHECK(std::abs(scene.bodies.u[2] - std::min(2.0, 3 / 0.5 * 0.01 * i)) <= 1e-12);
+    }
+}
+
+TEST_CASE("a motor and a spring reach a limit in the step in which they begin and go no farther", "[idea]")
+{
+    // 100 rad/s from rest, or a target beyond the limit: in a step of 1/60 s either would go well past 1 rad
+    const auto after_a_step = [](const Drive& motor, const Drive& spring, int& skipped) {
+        JointedScene scene;
+        scene.gravity = {0, 0};
+        add_body(scene, box(1, 0.1), 10.0, {0.5, 0});
+        RigidJoint hinge = joint_at(scene, JointKind::revolute, world, 0, {0, 0});
+        hinge.lower = -1, hinge.upper = 1;
+        hinge.motor = motor, hinge.spring = spring;
+        add_joint(scene, hinge);
+        Exact method;
+        StepData<3> now;
+        step(scene, {}, method, now);
+        skipped = method.contacts.limits_skipped;
+        return coordinate(scene.bodies.x, hinge);
+    };
+    int skipped = 0;
+    for (const Real way : {1.0, -1.0}) {
+        // the row of the limit lets the joint come to C = 0, to rounding
+        CHECK(std::abs(after_a_step({100 * way, 1e6, 0, 0, 0}, {}, skipped) - way) <= 1e-12);
+        CHECK(skipped == 1);  // the other limit
+        CHECK(std::abs(after_a_step({}, {0, 0, 1e6, 10, 3 * way}, skipped) - way) <= 1e-12);
+        CHECK(skipped == 1);
+    }
+    // what the force of a motor cannot do in a step makes no row
+    CHECK(std::abs(after_a_step({100, 1, 0, 0, 0}, {}, skipped)) < 0.01);
+    CHECK(skipped == 2);
+}
+
+TEST_CASE("a damper alone lets a distance change and slows it down as it says", "[idea]")
+{
+    JointedScene scene;
+    scene.gravity = {0, 0};
+    add_body(scene, disc(0.1), Mass{2, {0, 0}, 0.1}, {1, 0});
+    scene.bodies.u[0] = 1;
+    RigidJoint damper;
+    damper.kind = JointKind::distance;
+    damper.length = 1;
+    damper.spring.damping = 3;
+    add_joint(scene, damper);
+    CHECK(scene.placed[0].count == 1);
+    Exact method;
+    StepData<3> now;
+    for (int i = 1; i <= 60; ++i) {
+        step(scene, {.h = 0.01}, method, now);
+        // m Δv = −h c v at the end of each step: rounding of a few operations a step
+        REQUIRE(std::abs(scene.bodies.u[0] - std::pow(1 + 0.01 * 3 / 2, -i)) <= 1e-13);
     }
 }
 
@@ -389,6 +463,16 @@ TEST_CASE("a joint that makes no sense is refused with a sentence that names it"
     CHECK(says([](RigidJoint& joint) {
               joint.at_b = {0, 1e76};
           }) == "the revolute joint 0 has a frame, a length or a ratio of 1e+76; none may be beyond 1e75");
+    for (const auto beyond : {&RigidJoint::lower, &RigidJoint::upper})
+        CHECK(says([beyond](RigidJoint& joint) {
+                  joint.*beyond = beyond == &RigidJoint::upper ? 1e80 : -1e80;
+              }).find("the revolute joint 0 has a limit or a target of ") == 0);
+    CHECK(says([](RigidJoint& joint) { joint.spring.target = 1e80; }) ==
+          "the revolute joint 0 has a limit or a target of 1e+80; none may be beyond 1e75, but a "
+          "limit that "
+          "is infinite");
+    CHECK(says([](RigidJoint& joint) { joint.kind = JointKind::distance, joint.upper = -1; }) ==
+          "the distance joint 0 has the upper limit -1; no distance is below 0");
     CHECK(says([](RigidJoint& joint) { joint.spring.stiffness = -2; }) ==
           "the revolute joint 0 has the stiffness -2; it must be zero or positive and finite");
     CHECK(says([](RigidJoint& joint) {
@@ -419,6 +503,14 @@ TEST_CASE("bad joints and changes of joints are refused with a sentence and leav
     CHECK(
         refused([&] { change_joint(scene, 1, joint); }) ==
         "joint 1 has 2 rows and would have 3; a joint keeps its kind, its bodies and the number of its rows");
+    // no place in a body that there is not
+    CHECK(refused([&] {
+              joint_at(scene, JointKind::revolute, 0, 9, {0, 0});
+          }) == "there is no body 9 among 4");
+    CHECK(refused([&] { local_point(scene, -2, {0, 0}); }) == "there is no body -2 among 4");
+    CHECK(refused([&] {
+              add_joint(scene, joint_at(scene, JointKind::revolute, 0, world, {0, 0}));
+          }) == "the revolute joint 4 joins bodies 0 and -1 among 4; only its a may be the world (-1)");
     joint = scene.placed[1].joint;
     joint.upper = NAN;
     CHECK(refused([&] { change_joint(scene, 1, joint); }) ==

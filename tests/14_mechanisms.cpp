@@ -1,10 +1,11 @@
 /// Chapter 14: gears, racks, limits that are struck, and bodies that touch.
 
 #include "chapters/14_joints/joint_method.hpp"
-#include "chapters/14_joints/placed_joints.hpp"
+#include "chapters/14_joints/joint_scenes.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/joint_run.hpp"
+#include "tests/sentence.hpp"
 
 using namespace rigid;
 
@@ -114,4 +115,15 @@ TEST_CASE("joined bodies touch only if their joint lets them", "[house]")
         step(scene, {}, method, now);
         CHECK(now.contacts.empty() != may);
     }
+}
+
+TEST_CASE("bridges and catenaries of any number of parts begin with closed joints", "[house]")
+{
+    for (const int parts : {2, 3, 4, 5, 20, 21}) {
+        INFO(parts << " parts");
+        // rounding of places of a few metres
+        CHECK(largest_joint_error(bridge_scene(parts)) <= 1e-14);
+        CHECK(largest_joint_error(catenary_scene(parts)) <= 1e-14);
+    }
+    CHECK(sentence_of([] { catenary_scene(1); }) == "the catenary has 1 rods; it needs two or more");
 }

@@ -44,14 +44,20 @@ inline Correction exact_repair()
     return correction;
 }
 
+/// The inverse masses of body k, and ∞ for the motions that it cannot make: they have no share in a sum.
+inline Vec<3> divisor(const Bodies<3>& bodies, Index k)
+{
+    const Vec<3> W = bodies.inverse_mass.segment<3>(3 * k);
+    return (W.array() > 0).select(W, infinity);
+}
+
 /// Kinetic and potential energy of the bodies that can move [J].
 inline Real energy(const RigidScene& scene)
 {
     Real sum = 0;
     for (Index k = 0; k < scene.bodies.count(); ++k) {
         if (!scene.bodies.can_move(k)) continue;
-        const Vec<3> u = scene.bodies.velocity(k),
-                     W = scene.bodies.inverse_mass.segment<3>(3 * k);
+        const Vec<3> u = scene.bodies.velocity(k), W = divisor(scene.bodies, k);
         sum += u.cwiseAbs2().cwiseQuotient(W).sum() / 2 -
                scene.gravity.dot(scene.bodies.position(k).head<2>()) / W[0];
     }
@@ -64,8 +70,7 @@ inline Vec<3> momenta(const Bodies<3>& bodies)
     Vec<3> sum = Vec<3>::Zero();
     for (Index k = 0; k < bodies.count(); ++k) {
         if (!bodies.can_move(k)) continue;
-        const Vec<3> p =
-            bodies.velocity(k).cwiseQuotient(bodies.inverse_mass.segment<3>(3 * k));
+        const Vec<3> p = bodies.velocity(k).cwiseQuotient(divisor(bodies, k));
         sum += p;
         sum[2] += cross2(bodies.position(k).head<2>(), p.head<2>());
     }

@@ -1,7 +1,7 @@
 // The functions of rigid_scene.hpp.
 #include "common/eigen_instances.hpp"
 
-#include "chapters/11_rotation/rigid_scene.hpp"
+#include "chapters/11_rotation/point_constraints.hpp"
 
 namespace rigid {
 
@@ -33,6 +33,11 @@ Index add_body(RigidScene& scene, const Polygon& shape, const Mass& mass,
         throw std::invalid_argument("a body is at (" + shortest(at.x()) + ", " +
                                     shortest(at.y()) + ") m at the angle " +
                                     shortest(angle) + " rad; they must be finite");
+    if (!(mass.centroid.array().abs() <= largest_number).all())
+        throw std::invalid_argument(
+            "a body has its centroid at (" + shortest(mass.centroid.x()) + ", " +
+            shortest(mass.centroid.y()) +
+            ") m of its own axes; both must be numbers between -1e75 and 1e75");
     const Index k = scene.bodies.count();
     scene.bodies.resize(k + 1);
     scene.bodies.position(k) << at, angle;
@@ -63,6 +68,7 @@ void add_gears(RigidScene& scene, Index a, Real radius_a, Index b, Real radius_b
     mesh.measure = PointJoint::Measure::angle;
     mesh.a = a, mesh.b = b;
     mesh.gear_a = radius_a, mesh.gear_b = radius_b;
+    require_valid(mesh, scene.joints.size(), scene.bodies.count());
     mesh.length = radius_b * scene.bodies.x[3 * b + 2] +
                   (a == world ? 0 : radius_a * scene.bodies.x[3 * a + 2]);
     scene.joints.push_back(mesh);

@@ -175,8 +175,8 @@ inline Vec2 velocity_at(const Bodies<3>& bodies, Index k, const Vec2& p)
 /// \param at     of the centroid [m]
 /// \param angle  [rad]
 /// \return       its number
-/// Throws std::invalid_argument for a mass that is negative or not finite, for inertia without mass, and for mass
-/// without inertia.
+/// Throws std::invalid_argument for a mass that is negative or not finite, for inertia without mass, for mass without
+/// inertia, and for a place or a centroid that is no number.
 Index add_body(RigidScene& scene, const Polygon& shape, const Mass& mass,
                const Vec2& at, Real angle = 0);
 
@@ -192,6 +192,7 @@ void add_pin(RigidScene& scene, Index a, const Vec2& at_a, Index b,
              const Vec2& at_b);
 
 /// Adds gears that mesh: the arcs that run over the rims of a and b, of these radii, are opposite, r_a θ_a + r_b θ_b = 0.
+/// Throws std::invalid_argument unless these are two bodies of the scene; only a may be the world.
 void add_gears(RigidScene& scene, Index a, Real radius_a, Index b, Real radius_b);
 
 /// Adds a motor that turns body b against a, as far as a torque of ±`torque` can.

@@ -18,10 +18,15 @@ enum class ImpactLaw { newton, poisson, common };
 /// The impact of rows that touch, from u⁻ to u⁺, without forces.
 /// \param rows  with b = 0; those that only push bounce
 /// \param u     in: u⁻; out: u⁺ [m/s]
-/// \return      all impulses together, and the status of the last problem
+/// \return      all impulses together, and the status: that of the first problem
+///              without an answer, after which nothing more is done
+/// Throws std::invalid_argument unless e is from 0 to 1.
 inline Solution impact(std::vector<Row<3>> rows, Real e, ImpactLaw law,
                        FindFriction& find, VecX& u)
 {
+    if (!(e >= 0 && e <= 1))
+        throw std::invalid_argument("the restitution of an impact is " +
+                                    shortest(e) + "; it must be from 0 to 1");
     std::vector<FrictionBox> boxes;
     boxes_of(rows, boxes);
     const auto bounces = [](const Row<3>& row) {
@@ -38,7 +43,8 @@ inline Solution impact(std::vector<Row<3>> rows, Real e, ImpactLaw law,
         for (Row<3>& row : rows)
             if (bounces(row)) row.bias = e * std::min(Real{0}, row.velocity(u));
     Solution compression = solve();
-    if (law == ImpactLaw::newton || e == 0) return compression;
+    if (law == ImpactLaw::newton || e == 0 || compression.status != Status::solved)
+        return compression;
     if (law == ImpactLaw::common) {
         apply(rows, VecX(e * compression.lambda), u);
         compression.lambda *= 1 + e;

@@ -53,14 +53,14 @@ void require_valid_surfaces(const RoughScene& scene)
     check(scene.surfaces, scene.shapes.size(), "body");
     check(scene.wall_surfaces, scene.walls.size(), "wall");
     const Cloth& cloth = scene.cloth;
-    if (!(cloth.friction >= 0) || !std::isfinite(cloth.friction) ||
-        !(cloth.arm >= 0) || !std::isfinite(cloth.arm) || !(cloth.gravity >= 0) ||
-        !std::isfinite(cloth.gravity))
+    const auto no_size = [](Real value) {
+        return !(value >= 0 && value <= largest_number);
+    };
+    if (no_size(cloth.friction) || no_size(cloth.arm) || no_size(cloth.gravity))
         throw std::invalid_argument(
             "the cloth has the friction coefficient " + shortest(cloth.friction) +
             ", the arm " + shortest(cloth.arm) + " m and the gravity " +
-            shortest(cloth.gravity) +
-            " m/s²; they must be zero or positive and finite");
+            shortest(cloth.gravity) + " m/s²; they must be from zero to 1e75");
 }
 
 bool has_kinetic_friction(const RoughScene& scene)
@@ -79,7 +79,9 @@ std::size_t wall_of(const RigidScene& scene, const Vec2& normal, const Vec2& poi
     Real least = infinity;
     for (std::size_t i = 0; i < scene.walls.size(); ++i) {
         const HalfSpace& wall = scene.walls[i];
-        if (!(wall.normal.dot(normal) > 0.999)) continue;
+        // the same to six digits, as lengths of normals are: walls may be nearly
+        // parallel
+        if (!((wall.normal - normal).squaredNorm() < 1e-11)) continue;
         const Real off = std::abs(wall.normal.dot(point) - wall.offset);
         if (off < least) least = off, nearest = i;
     }

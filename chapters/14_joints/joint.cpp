@@ -45,6 +45,13 @@ void require_valid(const RigidJoint& joint, std::size_t number,
         if (std::abs(length) > largest_number)
             refuse("has a frame, a length or a ratio of " + shortest(length) +
                    "; none may be beyond 1e75");
+    for (const Real value : {joint.lower, joint.upper, joint.spring.target})
+        if (std::isfinite(value) && std::abs(value) > largest_number)
+            refuse("has a limit or a target of " + shortest(value) +
+                   "; none may be beyond 1e75, but a limit that is infinite");
+    if (joint.kind == JointKind::distance && joint.upper < 0)
+        refuse("has the upper limit " + shortest(joint.upper) +
+               "; no distance is below 0");
     if (!(std::abs(joint.axis.norm() - 1) <= 1e-9))
         refuse("has an axis of the length " + shortest(joint.axis.norm()) +
                "; it must be 1");

@@ -67,8 +67,9 @@ struct RigidJoint {
     Vec2 over_a = {0, 0}, over_b = {0, 0};     ///< of a pulley, in the world
     Real lower = -infinity, upper = infinity;  ///< limits of q; equal = locked
     Drive motor, spring;
-    Real torque = 0;  ///< of the kinds friction and motor: at most [N m]
-    /// of the mean over a sub-step: an impulse P counts as P/h [N, N m]
+    Real torque = 0;  ///< of friction: at most; of motor the same, 0 = any [N m]
+    /// of the mean over the last sub-step of a step: an impulse P counts as P/h
+    /// [N, N m]
     Real breaking_force = infinity, breaking_torque = infinity;
     bool collide_connected = false;  ///< may its two bodies touch?
 };

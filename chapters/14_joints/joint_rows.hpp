@@ -66,9 +66,10 @@ inline void add_frame_rows(const RigidJoint& joint, std::vector<PointJoint>& row
     switch (joint.kind) {
     //! [kinds]
     case JointKind::distance:
-        // with limits or a spring the distance is free between them
+        // with limits, a motor or a spring (or damper) the distance is free
         if (joint.lower == -infinity && joint.upper == infinity &&
-            !(joint.spring.stiffness > 0) && !(joint.motor.force > 0))
+            !(joint.spring.stiffness + joint.spring.damping > 0) &&
+            !(joint.motor.force > 0))
             add(Measure::distance, {1, 0}, joint.length);
         break;
     case JointKind::rope:

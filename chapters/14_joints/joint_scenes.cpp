@@ -36,13 +36,21 @@ JointedScene chain_scene(const ChainShape& shape)
 
 JointedScene catenary_scene(int rods)
 {
+    if (rods < 2)
+        throw std::invalid_argument("the catenary has " + std::to_string(rods) +
+                                    " rods; it needs two or more");
     JointedScene scene;
-    const Real L = 1.25 / rods, sag = std::sqrt(1.25 * 1.25 - 1) / 2;
-    const Vec2 down = Vec2(0.5, -sag).normalized(), up(down.x(), -down.y());
+    const Real L = 1.25 / rods,
+               level = rods % 2 * L;  // the middle one of an odd row
+    const Real run = (1 - level) / 2, side = (1.25 - level) / 2,
+               sag = std::sqrt(side * side - run * run);
+    const Vec2 down = Vec2(run, -sag).normalized(), up(down.x(), -down.y());
     Vec2 end(0, 0);
     RigidJoint pin;
     for (int k = 0; k < rods; ++k) {
-        const Vec2 along = 2 * k < rods ? down : up;
+        const Vec2 along = 2 * k + 1 == rods ? Vec2(1, 0)
+                           : 2 * k < rods    ? down
+                                             : up;
         pin.a = k - 1;
         pin.b = add_body(scene, capsule(L, 0), thin_rod(L, 1.0 / rods),
                          end + L / 2 * along, atan2(along.y(), along.x()));
@@ -92,12 +100,15 @@ JointedScene bridge_scene(int planks, Real mass, Real whole)
         throw std::invalid_argument("the planks have " + shortest(whole) +
                                     " m together; the banks are 8 m apart");
     JointedScene scene;
-    const Real half = whole / 2, L = whole / planks,
-               sag = std::sqrt(half * half - 16);
+    const Real L = whole / planks, level = planks % 2 * L,  // as above
+        run = (8 - level) / 2, side = (whole - level) / 2,
+               sag = std::sqrt(side * side - run * run);
     Vec2 end(-4, 0);
     for (int k = 0; k <= planks; ++k) {
         const bool bank = k == planks;
-        const Vec2 along = Vec2(4, 2 * k < planks ? -sag : sag) / half;
+        const Vec2 along = 2 * k + 1 == planks
+                               ? Vec2(1, 0)
+                               : Vec2(run, 2 * k < planks ? -sag : sag) / side;
         const Index a = k - 1;
         if (bank) {
             RigidJoint last =

@@ -22,7 +22,7 @@ struct ChainShape {
 JointedScene chain_scene(const ChainShape& shape);
 
 /// Rods of equal length that hang between two points at one height: a catenary. Total length 1.25 m, span 1 m, 1 kg.
-/// They start on two sides of a triangle.
+/// They start on two sides of a triangle, whose tip the middle one of an odd number cuts off.
 JointedScene catenary_scene(int rods);
 
 /// Two weights on a rope over a disc of 1 kg that turns with it: racks on a pinion, (14.4).
@@ -35,7 +35,7 @@ inline Real atwood_by_hand(Real left = 1, Real right = 2)
 }
 
 /// Planks of 8.4 m together between two banks 8 m apart, on pins: a loop through the world. They start on two sides of a
-/// triangle. (Planks of 8 m would lie in line, and no finite pull holds a weight on a straight rope.)
+/// triangle, or three of a trapezium, as above. (Planks of 8 m would lie in line, and no finite pull holds a weight on a straight rope.)
 /// \param whole  length of all planks together [m]
 JointedScene bridge_scene(int planks, Real mass = 5, Real whole = 8.4);
 

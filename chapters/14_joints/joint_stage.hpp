@@ -16,24 +16,31 @@ struct Reaction {
 
 //! [reaction]
 /// (14.5): the impulses of a joint's rows, along their J, over the time they took.
+/// Each row has its own moment about the point where it is now: a row that acts
+/// there has none, however far the body has turned since the row was made.
 /// \param now  of the step that has just been taken
 inline Reaction reaction(const JointedScene& scene, const StepData<3>& now,
                          std::size_t number)
 {
     const PlacedJoint& placed = scene.placed.at(number);
-    Vec<3> impulse = Vec<3>::Zero();
+    const VecX& x = scene.bodies.x;
+    const Index b = placed.joint.b;
+    const Vec2 arm =
+        point_of(x, b, placed.joint.at_b) - scene.bodies.position(b).head<2>();
+    Vec2 force(0, 0);
+    Real torque = 0;
     for (std::size_t i = 0; i < now.sources.size(); ++i) {
         const Source& source = now.sources[i];
         if (source.of != Source::Of::joint || source.index < placed.first ||
-            source.index >= placed.first + placed.count)
+            source.index >= placed.first + placed.count || now.rows[i].b != b)
             continue;
-        impulse +=
-            now.rows[i].Jb.transpose() * now.solution.lambda[static_cast<Index>(i)];
+        const Real lambda = now.solution.lambda[static_cast<Index>(i)];
+        const RowVec<3> J = constraint_at(scene, now, i, x).Jb;
+        const Vec2 P = lambda * J.head<2>().transpose();
+        force += lambda * now.rows[i].Jb.head<2>().transpose();
+        torque += lambda * J[2] - cross2(arm, P);
     }
-    const Vec2 arm = point_of(scene.bodies.x, placed.joint.b, placed.joint.at_b) -
-                     scene.bodies.position(placed.joint.b).head<2>();
-    const Vec2 P = impulse.head<2>();
-    return {P / now.h, (impulse[2] - cross2(arm, P)) / now.h};
+    return {force / now.h, torque / now.h};
 }
 //! [reaction]
 

@@ -32,9 +32,35 @@ bool LimitReach::is_far(const JointedScene& scene, std::size_t j)
                margin = margin_ * (turns ? 1 : length_),
                own = std::abs(row.velocity(scene.bodies.u)),
                blow = (fastest(joint) + fall_) / lever;
-    return c.C > margin + 2 * h_ * (own + blow);
+    return c.C > margin + 2 * h_ * (own + driven(scene, j) + blow);
 }
 //! [far]
+
+Real LimitReach::driven(const JointedScene& scene, std::size_t j) const
+{
+    if (j >= scene.owner.size() || scene.owner[j] < 0) return 0;
+    const PointJoint& limit = scene.joints[j];
+    const PlacedJoint& placed =
+        scene.placed[static_cast<std::size_t>(scene.owner[j])];
+    Real sum = 0;
+    for (int i = placed.first; i < placed.first + placed.count; ++i) {
+        const PointJoint& drive = scene.joints[static_cast<std::size_t>(i)];
+        const bool is_spring = drive.kind == ConstraintKind::spring;
+        if (drive.measure != limit.measure ||
+            (!is_spring && drive.kind != ConstraintKind::motor))
+            continue;
+        const Constraint<3> c =
+            joint_constraint(scene.bodies.x, drive, &scene.turns);
+        Real force = is_spring ? drive.stiffness * std::abs(c.C) : drive.force;
+        if (is_spring && drive.force > 0) force = std::min(force, drive.force);
+        const Real wanted = limit.sense * (is_spring ? c.C / h_ : -drive.speed),
+                   A = unilateral(c, scene.bodies.inverse_mass)
+                           .inverse_effective_mass();
+        // what holds the bodies otherwise leaves them less mobile than A
+        sum += std::max(Real{0}, std::min(wanted, h_ * force * A));
+    }
+    return sum;
+}
 
 Real LimitReach::shorter_lever(const RigidScene& scene,
                                const PointJoint& joint) const

@@ -1,7 +1,8 @@
 /// \file limit_reach.hpp
 /// Which limits a step could reach: a blow changes the speed of a joint within the step, so its own speed says too little.
 ///
-///     far   ⇔   C > margin + 2 h (|Ċ| + s (V + h |g|))      V the fastest point of its island, s = 1 for lengths, 1/R for angles
+///     far   ⇔   C > margin + 2 h (|Ċ| + D + s (V + h |g|))   V the fastest point of its island, s = 1 for lengths, 1/R for angles,
+///                                                            D what its own motor and spring add to −Ċ in a step
 ///
 /// (14.7). A limb whose end is stopped, or struck, at the speed V turns at V/R. A row with C > 0 lets the joint come as near as the
 /// limit, and no nearer; without it the limit is overstepped by h Ċ before it has a row.
@@ -36,6 +37,9 @@ private:
     {
         return joint.kind == ConstraintKind::unilateral;
     }
+
+    /// D of (14.7): a motor adds its speed, a spring C/h, where their force reaches so far.
+    Real driven(const JointedScene& scene, std::size_t j) const;
 
     /// R of the smaller of two bodies [m].
     Real shorter_lever(const RigidScene& scene, const PointJoint& joint) const;

@@ -35,6 +35,10 @@ void remove_last_joint(JointedScene& scene)
 Vec2 local_point(const RigidScene& scene, Index k, const Vec2& place)
 {
     if (k == world) return place;
+    if (k < world || k >= scene.bodies.count())
+        throw std::invalid_argument("there is no body " + std::to_string(k) +
+                                    " among " +
+                                    std::to_string(scene.bodies.count()));
     const Vec2 d = place - scene.bodies.position(k).head<2>();
     const Real c = cos(scene.bodies.x[3 * k + 2]),
                s = sin(scene.bodies.x[3 * k + 2]);
@@ -49,8 +53,10 @@ RigidJoint joint_at(const RigidScene& scene, JointKind kind, Index a, Index b,
     joint.a = a, joint.b = b;
     joint.at_a = local_point(scene, a, place);
     joint.at_b = local_point(scene, b, place);
-    joint.angle =
-        scene.bodies.x[3 * b + 2] - (a == world ? 0 : scene.bodies.x[3 * a + 2]);
+    const auto angle = [&](Index k) {
+        return k == world ? 0 : scene.bodies.x[3 * k + 2];
+    };
+    joint.angle = angle(b) - angle(a);
     return joint;
 }
 

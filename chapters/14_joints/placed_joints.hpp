@@ -17,6 +17,7 @@ std::size_t add_joint(JointedScene& scene, const RigidJoint& joint);
 void remove_last_joint(JointedScene& scene);
 
 /// The point of body k that is at a place of the world now; of the world: the place.
+/// Throws std::invalid_argument unless there is such a body.
 Vec2 local_point(const RigidScene& scene, Index k, const Vec2& place);
 
 /// A joint of two bodies at one place of the world, where their frames are to be as they are now.
