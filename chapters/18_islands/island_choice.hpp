@@ -194,18 +194,22 @@ private:
         const IslandNote& note = all.note(i);
         if (solving == Solving::sweeps || !(slow > 0) || note.to_settle == 0)
             return;
+        const auto is_slow = [&](Real speed) {
+            return are_slow(all.islands.bodies_of(i), bodies.u, speed, now.length);
+        };
         const ExactIsland* one = exactly.find(i);
-        const Real length = now.length;
         if ((note.place != IslandPlace::swept && !(one && !one->answered)) ||
-            !are_slow(all.islands.bodies_of(i), bodies.u, slow * length, length))
+            !is_slow(slow * now.length))
             return;
         const Real r = natural_residual(now, all.islands.rows_of(i), bodies.u);
-        if (!(r <= settled(tolerance * length)))
+        const WideIsland* lanes = wide.find(i);
+        if (r <= settled(tolerance * now.length)) {
+            // after many sweeps guesses, which begin there and cost no more
+            if (lanes && lanes->spent() >= note.to_stand / 10)
+                solve_after_all(i, 0, lanes->spent(), bodies, now);
+        } else if (!(lanes && lanes->get_on(r)) &&
+                   is_slow(note.length * r))  // (18.11)
             solve_after_all(i, 0, note.to_settle, bodies, now);
-        // after many sweeps guesses, which begin from what they found and cost no more
-        else if (const WideIsland* lanes = wide.find(i);
-                 lanes && lanes->spent() >= note.to_stand / 10)
-            solve_after_all(i, 0, lanes->spent(), bodies, now);
     }
 
     void solve_after_all(int i, Real late, std::int64_t entries, Bodies<3>& bodies,

@@ -135,12 +135,14 @@ public:
         for (std::size_t i = 0; i < notes.size(); ++i) {  // (18.5)
             IslandNote& note = notes[i];
             note.enough = note.until = tolerance;
-            if (!note.moves) continue;
-            note.enough = std::max(
-                tolerance, given_speed(islands.bodies_of(static_cast<int>(i)),
-                                       bodies.u, now.u_star) /
-                               30);
-            if (!note.joined) note.until = note.enough;
+            if (!note.large) continue;
+            const std::span<const int> members =
+                islands.bodies_of(static_cast<int>(i));
+            Real speed = given_speed(members, bodies.u, now.u_star);
+            if (!note.moves)
+                speed = std::min(speed, fastest(members, bodies.u, now.length));
+            note.enough = std::max(tolerance, speed / 30);
+            if (note.moves && !note.joined) note.until = note.enough;
         }
         return same;
     }

@@ -83,15 +83,26 @@ inline void push(const StepData<3>& now, std::span<const int> rows,
 }
 
 //! [slow]
-/// Whether each of these bodies is slow.
 /// \param length  a spin counts as the speed at this distance [m]
+/// \return        [m²/s²]
+inline Real speed_squared(int body, const VecX& u, Real length)
+{
+    const Vec<3> v = u.segment<3>(3 * body);
+    return v.head<2>().squaredNorm() + length * length * v[2] * v[2];
+}
+/// The speed of the fastest of these bodies [m/s]
+inline Real fastest(std::span<const int> bodies, const VecX& u, Real length)
+{
+    Real most = 0;
+    for (const int k : bodies) most = std::max(most, speed_squared(k, u, length));
+    return std::sqrt(most);
+}
+/// Whether each of them is slow.
 inline bool are_slow(std::span<const int> bodies, const VecX& u, Real speed,
                      Real length)
 {
     return std::all_of(bodies.begin(), bodies.end(), [&](int k) {
-        const Vec<3> v = u.segment<3>(3 * k);
-        return v.head<2>().squaredNorm() + length * length * v[2] * v[2] <=
-               speed * speed;
+        return speed_squared(k, u, length) <= speed * speed;
     });
 }
 //! [slow]

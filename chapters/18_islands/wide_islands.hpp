@@ -58,8 +58,10 @@ struct WideIsland {
             stays ? std::max(standing, note.sweeps) : note.sweeps;
         solver.sweeps.tolerance =
             stays ? enough(note, rests, sweeps.tolerance) : note.until / now.length;
+        began_ = rests ? first_residual() : 0;
         // once: what begins with as little has been there
-        if (rests && note.to_rest > 0 && first_residual() > sweeps.tolerance / 10)
+        if (rests && note.to_rest > 0 &&
+            began_ > sweeps.tolerance / 10 * here.length)
             solver.sweeps.max_sweeps = at_rest;
         solver.momentum = stays;
         solver.solve(part.local, part.now);
@@ -72,6 +74,10 @@ struct WideIsland {
     {
         return part.now.solution.iterations * sweep_price_;
     }
+
+    /// Whether its sweeps go on in the next step: they halve what they begin with.
+    /// \param r  the residual that they have left [m/s]
+    bool get_on(Real r) const { return began_ > 2 * r; }
 
     /// (18.4a), of what moves
     void small_steps(const HeapSteps& how, const IslandNote& note,
@@ -102,7 +108,7 @@ private:
         if (rests && note.may_be_exact && !is_left) return settled(tolerance);
         return note.may_be_exact ? tolerance : tolerance / 10;
     }
-    /// The natural residual of the impulses that it begins with [ℓ/s]; the velocities
+    /// The natural residual of the impulses that it begins with [m/s]; the velocities
     /// of the part are then theirs, until it is solved.
     Real first_residual()
     {
@@ -112,12 +118,12 @@ private:
             part.local.velocity(k) = here.u_star.segment<3>(3 * k);
         for (std::size_t i = 0; i < here.rows.size(); ++i)
             here.rows[i].apply(lambda[static_cast<Index>(i)], part.local.u);
-        return natural_residual(here.rows, lambda, part.local.u, here.length) /
-               here.length;
+        return natural_residual(here.rows, lambda, part.local.u, here.length);
     }
 
     static constexpr Real rounding = 1e-10;  ///< of thousands of sweeps [ℓ/s]
     std::int64_t sweep_price_ = 0;           ///< of what stands [entries]
+    Real began_ = 0;         ///< residual, of what rests, before its sweeps [m/s]
     bool has_rows_ = false;  ///< those of this sub-step are in `part`
 };
 
