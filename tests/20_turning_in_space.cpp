@@ -162,6 +162,9 @@ TEST_CASE("moments that are not ascending have no closed form here", "[house]")
     CHECK(sentence_of([] {
               spin_form({2, 1, 3}, {1, 1, 1});
           }) == "the moments of inertia are 2, 1, 3 kg m²; they must be ascending");
+    CHECK(sentence_of([] {
+              exact_spin({1, 2, 3}, -0.5, 1, 0);
+          }) == "a spin starts with -0.5 and 1 rad/s about its outer axes; both must be positive");
 }
 
 TEST_CASE("a free spin follows the elliptic functions to the order of its step", "[idea]")
@@ -398,6 +401,60 @@ TEST_CASE("ball and box and capsule have the inertia of the tables", "[idea]")
     CHECK((capsule.inertia - Mat3(Vec3(along, across, across).asDiagonal())).norm() < 1e-14);
 }
 
+TEST_CASE("what has no mass of its own is refused with a sentence", "[house]")
+{
+    const auto with = [](const Hull& hull) { return sentence_of([&] { mass_of(hull, 1); }); };
+    // the cylinder of a long capsule outweighs balls of a negative radius
+    CHECK(with(solid_capsule(1, -0.1)) == "the radius in m of a body is -0.1; it must be zero or positive");
+    CHECK(with(solid_ball(std::nan(""))) == "the radius in m of a body is nan; it must be zero or positive");
+    CHECK(sentence_of([] { mass_of(std::vector<Hull>{}, 1); }) == "the body has no hulls");
+    Hull hull = solid_box({1, 1, 1});
+    for (const int vertex : {-1, 8}) {
+        hull.faces[2][1] = vertex;
+        CHECK(with(hull) == "a face names vertex " + std::to_string(vertex) + " among 8");
+    }
+    hull = solid_box({1, 1, 1});
+    hull.faces.pop_back();  // a square of 1 m² is open
+    CHECK(with(hull) == "the faces of a body do not close: their areas add up to 1 m², along one direction");
+    hull = solid_box({1, 1, 1});
+    std::swap(hull.faces[3][1], hull.faces[3][3]);  // one face inside out
+    CHECK(with(hull).find("do not close") != std::string::npos);
+    // Jacobi's method reads one half of it, and leaves out what is no number
+    for (const Real beside : {0.3, std::nan("")}) {
+        SolidMass mass;
+        mass.mass = 1, mass.inertia = Mat3::Identity();
+        mass.inertia(0, 1) = beside;
+        SolidScene scene;
+        CHECK(sentence_of([&] {
+                  add_body(scene, {solid_ball(1)}, mass, {0, 0, 0});
+              }) == "a body has an inertia that is not symmetric or not finite");
+        CHECK(scene.bodies.count() == 0);
+    }
+}
+
+TEST_CASE("a body far from the origin of its shape has the inertia that it has", "[house]")
+{
+    for (const Real away : {1e2, 1e5, 1e8}) {
+        const Vec3 at(away, -away, 2 * away);
+        const SolidMass box = mass_of(solid_box({1, 2, 4}, at), 1);
+        // corners are rounded to 1e-16 of where they are; nearer than a thousand sizes (20.15) cancels as well: sums of
+        // fifty terms of 8 kg at six times away²
+        const Real rounding = 1e-15 * away, cancelled = away < 1e3 ? 50 * 1e-16 * 8 * 6 * away * away : 0;
+        CHECK(box.mass == Approx(8).epsilon(10 * (rounding + cancelled)));
+        CHECK((box.centroid - at).norm() < 10 * (rounding + cancelled));
+        CHECK((box.inertia - Mat3(Vec3(40, 34, 10).asDiagonal()) / 3).norm() < 100 * rounding + cancelled);
+    }
+}
+
+TEST_CASE("a body that may turn about a point has the energy of its spin alone", "[house]")
+{
+    SolidScene scene;
+    add_body(scene, {solid_box({1, 1, 1})}, 6.0, {0, 1, 0});
+    scene.bodies.inverse_mass.head<3>().setZero();
+    scene.bodies.u[3] = 2;
+    CHECK(energy(scene) == Approx(2));  // I = m/6 = 1 kg m²
+}
+
 TEST_CASE("the inertia of a polyhedron turns with it and does not depend on where the origin is", "[idea]")
 {
     Random random(5);
@@ -453,7 +510,7 @@ TEST_CASE("two quarter turns about different axes are a third of a turn about th
     CHECK((theta - 2 * pi / 3 / std::sqrt(Real{3}) * Vec3(1, 1, 1)).norm() < 1e-14);
 }
 
-TEST_CASE("a box with two equal edges does not turn over", "[idea]")
+TEST_CASE("a box with two equal edges turns over slowly and a cube never", "[idea]")
 {
     // 1 % of wobble stays below 2 %; that of the book of three edges grows to all of ω
     const auto wobble = [](const Vec3& edges, const Vec3& spin) {
@@ -469,6 +526,15 @@ TEST_CASE("a box with two equal edges does not turn over", "[idea]")
     CHECK(wobble({0.2, 0.2, 0.05}, {0.01, 0.01, 1}) < 0.04);
     CHECK(wobble({0.2, 0.1, 0.1}, {1, 0.01, 0.01}) < 0.04);
     CHECK(wobble({0.16, 0.24, 0.04}, {1, 0.01, 0.01}) > 1);
+    CHECK(wobble({0.2, 0.2, 0.2}, {1, 0.01, 0.01}) < 1e-9);  // 5000 roundings
+    // about one of the two equal axes: half a turn at ω₃ (I₃ − I₁)/I₁
+    const Vec3 inertia = mass_of(solid_box({0.2, 0.2, 0.05}), 1).inertia.diagonal();
+    Vec3 theta(0, 0, 0), omega(1, 0.01, 0.01);
+    Real t = 0;
+    for (; omega.y() > -0.01 && t < 1000; t += 0.01) tumble(Tumbling::middle, inertia, 0.01, theta, omega);
+    CHECK(omega.x() < -0.99);
+    CHECK(t == Approx(pi * inertia[0] / ((inertia[2] - inertia[0]) * 0.01)).epsilon(1e-3));
+    CHECK(t / (2 * pi) == Approx(57).margin(0.5));  // digits of the text
 }
 
 TEST_CASE("the energy that an angular momentum allows is what exercise 20.1 says", "[house]")

@@ -104,6 +104,19 @@ TEST_CASE("joints start where they are and lock what their names say", "[idea]")
     }
 }
 
+TEST_CASE("a frame lies along its axis also where that is nearly turned about", "[house]")
+{
+    for (const Real aside : {1.0, 1e-2, 1e-3, 1e-4, 1e-5, 1e-7, 1e-9, 1e-20, 1e-300, 0.0})
+        for (const Real other : {0.0, 0.5, -1.0}) {
+            const Vec3 axis = Vec3(-1, aside, other * aside).normalized();
+            // 1e-16 of 1 + x·n, where that is 1e-8 or more, over a lean of 1e-4
+            CHECK((rotation_matrix(frame_along(axis)).col(0) - axis).norm() < 1e-11);
+        }
+    // and what rounding leaves beside it does not choose how the frame lies
+    CHECK(frame_along({-1, 0, 0}) == Vec3(0, pi, 0));
+    CHECK(frame_along({-1, 1e-16, -1e-17}) == Vec3(0, pi, 0));
+}
+
 TEST_CASE("a universal joint hands a spin on unevenly as (21.7b) says and a constant-velocity joint evenly",
           "[idea]")
 {
@@ -224,6 +237,8 @@ TEST_CASE("a top precesses at the rate of (21.8) to first order", "[idea]")
     CHECK(errors.back() < 0.02);
     // reference value S2: moments about the tip 0.1 and 0.05, m g l = 2.943, spin 40
     CHECK(slow_precession(0.1, 0.05, 40, 2.943, pi / 6) == Approx(1.579533463148246).epsilon(1e-13));
+    // spun the other way it goes around the other way
+    CHECK(slow_precession(0.1, 0.05, -40, 2.943, pi / 6) == -slow_precession(0.1, 0.05, 40, 2.943, pi / 6));
     CHECK(sentence_of([] { slow_precession(0.1, 0.05, 20, 2.943, pi / 6); }).find("too slow") !=
           std::string::npos);
 }
@@ -370,6 +385,34 @@ TEST_CASE("a joint whose point or frame is not finite and limits without a value
     CHECK(with([](SpaceJoint& joint) {
               joint.lo[cone] = joint.hi[cone] = -infinity;
           }).find("a finite value must lie between them") != std::string::npos);
+}
+
+TEST_CASE("limits that a coordinate cannot reach are refused and its ends are not", "[house]")
+{
+    const auto with = [](Coordinate c, Real lo, Real hi) {
+        JointedSolids scene = rod_chain(1);
+        const auto i = static_cast<std::size_t>(c);
+        scene.joints[0].lo[i] = lo, scene.joints[0].hi[i] = hi;
+        return sentence_of([&] { require_bodies(scene); });
+    };
+    // 4 rad of a twist are those of −2.28 rad
+    CHECK(with(twist, -4, 1) ==
+          "joint 0 has the limits -4 and 1 of coordinate 3; it lies between "
+          "-3.141592653589793 and 3.141592653589793, and so must a limit that is finite");
+    CHECK(with(swing_y, 3, 4).find("it lies between -2 and 2") != std::string::npos);
+    CHECK(with(cone, -1, -0.5).find("it lies between 0 and 3.14") != std::string::npos);
+    CHECK(with(pins, 2, infinity).find("it lies between -1 and 1") != std::string::npos);
+    CHECK(with(twist, -pi, pi) == "accepted");
+    CHECK(with(swing_z, -2, 2) == "accepted");
+    CHECK(with(cone, 0, pi) == "accepted");
+    CHECK(with(pins, -1, infinity) == "accepted");
+    CHECK(with(along_x, -4, 1e6) == "accepted");
+    JointedSolids scene = rod_chain(1);
+    scene.joints[0].motor = -2;
+    CHECK(sentence_of([&] { require_bodies(scene); }) ==
+          "joint 0 has a motor on coordinate -2 of the force 0 and the speed 0");
+    CHECK(sentence_of([] { rod_chain(0); }) == "a chain has 0 rods; it needs at least one");
+    CHECK(sentence_of([] { plate_chain(-1, 0); }) == "a chain has -1 plates; it needs at least one");
 }
 
 TEST_CASE("a steady step in space asks for no memory", "[house]")

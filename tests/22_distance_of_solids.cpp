@@ -106,6 +106,22 @@ TEST_CASE("a hull has all points inside and the faces and edges of Euler", "[ide
     CHECK(mass_of(cube.hull, 1).mass == Approx(8).epsilon(1e-14));
 }
 
+TEST_CASE("points that are one but for rounding are one corner of a hull", "[house]")
+{
+    Random random(5);
+    for (const Real apart : {0.0, 1e-16, 1e-13, 1e-11})
+        for (int i = 0; i < 50; ++i) {
+            std::vector<Vec3> points = solid_box({1, 1, 1}).vertices;
+            const Vec3 corner = points[static_cast<std::size_t>(random.index(8))];
+            points.push_back(corner + any_vector(random, apart));
+            points.insert(points.begin(), corner + any_vector(random, apart));
+            const SolidForm form = form_of(solid_hull(points));
+            CHECK(form.hull.vertices.size() == 8);
+            CHECK(form.hull.faces.size() == 6);
+            CHECK(form.edges.size() == 12);
+        }
+}
+
 TEST_CASE("the nearest points of two hulls are as far apart as any of their parts", "[idea]")
 {
     Random random(2);
@@ -162,6 +178,16 @@ TEST_CASE("hulls that are none are refused with a sentence", "[house]")
     hull = solid_box({1, 1, 1});
     hull.faces.pop_back();
     CHECK(with(hull) == "a hull is not closed: an edge is one of 1 faces");
+    for (const int vertex : {-1, 8}) {
+        hull = solid_box({1, 1, 1});
+        hull.faces[2][1] = vertex;
+        CHECK(with(hull) == "a face names vertex " + std::to_string(vertex) + " among 8");
+    }
+    // two opposite corners of a face pushed in: its plane lies through the two others, and its ridge is no edge
+    hull = solid_box({1, 1, 1});
+    hull.vertices[2].x() = hull.vertices[4].x() = -0.4;
+    CHECK(with(hull) ==
+          "a hull has a face that is not flat: vertex 4 is 0.09999999999999998 m inside of face 0");
     hull = solid_box({1, 1, 0});
     CHECK(with(hull) != "accepted");
     hull = solid_ball(1);
@@ -178,4 +204,8 @@ TEST_CASE("hulls that are none are refused with a sentence", "[house]")
     CHECK(sentence_of([] {
               solid_hull({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0)});
           }) == "the points of a hull lie in a plane");
+    CHECK(sentence_of([] {
+              solid_hull(
+                  {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(std::nan(""), 0, 0)});
+          }) == "a point of a hull is not finite");
 }

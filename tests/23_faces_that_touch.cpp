@@ -270,6 +270,29 @@ TEST_CASE("what a joint joins does not collide", "[idea]")
     }
 }
 
+TEST_CASE("a hull that is none is refused in each step and then the run goes on", "[house]")
+{
+    const auto stack = [](int boxes) {
+        WalledSolids scene;
+        for (int k = 0; k < boxes; ++k) add_body(scene, {solid_box({1, 1, 1})}, 1.0, {0, k + 0.5, 0});
+        scene.walls = {{{0, 1, 0}, 0}};
+        return scene;
+    };
+    WalledSolids scene = stack(2), spoilt = stack(3), same = stack(2);
+    spoilt.shapes[1][0].radius = -1;
+    SmoothSweeps method, undisturbed;
+    StepData<6> now, then;
+    for (int i = 0; i < 3; ++i) {
+        for (int again = 0; again < 2; ++again)
+            CHECK(sentence_of([&] { step(spoilt, {}, method, now); }) ==
+                  "a hull has the radius -1 m; it must be between 0 and 1e75");
+        step(scene, {}, method, now);
+        step(same, {}, undisturbed, then);
+        CHECK(now.contacts.size() == 8);
+        CHECK((scene.bodies.x.array() == same.bodies.x.array()).all());
+    }
+}
+
 // ---- their rows ---------------------------------------------------------------------------------
 
 TEST_CASE("the row of a contact is the derivative of its gap", "[idea]")

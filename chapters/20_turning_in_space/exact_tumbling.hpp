@@ -52,9 +52,14 @@ inline SpinForm spin_form(const Vec3& inertia, const Vec3& omega)
 }
 
 /// (20.24): ω at the time t in the body's axes, of a body that starts with
-/// ω = (ω₁, 0, ω₃), both positive.
+/// ω = (ω₁, 0, ω₃), both positive; otherwise std::invalid_argument.
 inline Vec3 exact_spin(const Vec3& inertia, Real omega1, Real omega3, Real t)
 {
+    if (!(omega1 > 0 && omega3 > 0))
+        throw std::invalid_argument("a spin starts with " + shortest(omega1) +
+                                    " and " + shortest(omega3) +
+                                    " rad/s about its outer axes; both must be "
+                                    "positive");
     const SpinForm s = spin_form(inertia, {omega1, 0, omega3});
     const Vec3 f = jacobi_functions(s.rate * t, s.k);
     Vec3 omega(std::sqrt(s.upper / (s.I1 * (s.I3 - s.I1))) * f[1],

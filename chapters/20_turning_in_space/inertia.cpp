@@ -38,6 +38,48 @@ SolidMass round_mass(const Hull& hull)
     return solid;
 }
 
+void require_vertices(const Hull& hull)
+{
+    const auto count = static_cast<int>(hull.vertices.size());
+    for (const std::vector<int>& face : hull.faces)
+        for (const int i : face)
+            if (i < 0 || i >= count)
+                throw std::invalid_argument("a face names vertex " +
+                                            std::to_string(i) + " among " +
+                                            std::to_string(count));
+}
+
+/// The areas of the faces, as vectors, add up to none. Otherwise what moments_of() sums
+/// depends on where the origin is.
+static void require_closed(const Hull& hull)
+{
+    Vec3 sum(0, 0, 0);
+    Real all = 0;
+    for (const std::vector<int>& face : hull.faces)
+        for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+            const auto corner = [&](std::size_t k) -> const Vec3& {
+                return hull.vertices[static_cast<std::size_t>(face[k])];
+            };
+            const Vec3 area =
+                cross(corner(i) - corner(0), corner(i + 1) - corner(0));
+            sum += area, all += area.norm();
+        }
+    if (sum.norm() > 1e-9 * all)  // far above rounding
+        throw std::invalid_argument(
+            "the faces of a body do not close: their areas add up to " +
+            shortest(sum.norm() / 2) + " m², along one direction");
+}
+
+/// Whether the origin is so far away that (20.15) cancels: a thousand sizes leave seven
+/// digits of the inertia.
+static bool is_far(const Hull& hull)
+{
+    const Vec3& first = hull.vertices[0];
+    Real size = 0;
+    for (const Vec3& p : hull.vertices) size = std::max(size, (p - first).norm());
+    return first.norm() > 1000 * size;
+}
+
 //! [mass]
 SolidMass mass_of(const Hull& hull, Real density)
 {
@@ -51,11 +93,23 @@ SolidMass mass_of(const Hull& hull, Real density)
     if (hull.vertices.empty())
         throw std::invalid_argument("the body has no vertices");
     SolidMass solid;
-    if (hull.vertices.size() <= 2) solid = round_mass(hull);
-    else {
+    if (hull.vertices.size() <= 2) {
+        if (!(hull.radius >= 0))
+            refuse("the radius in m of a body is", hull.radius, "zero or positive");
+        solid = round_mass(hull);
+    } else {
         if (hull.radius != 0)
             refuse("the radius in m of a polyhedron is", hull.radius,
                    "0 for its mass to be known");
+        require_vertices(hull);
+        require_closed(hull);
+        if (is_far(hull)) {  // its moments are taken from a corner
+            Hull near = hull;
+            for (Vec3& p : near.vertices) p -= hull.vertices[0];
+            SolidMass moved = mass_of(near, density);
+            moved.centroid += hull.vertices[0];
+            return moved;
+        }
         const Moments all = moments_of(hull);
         solid.mass = all.volume;
         solid.centroid = all.first / all.volume;
@@ -72,6 +126,7 @@ SolidMass mass_of(const Hull& hull, Real density)
 
 SolidMass mass_of(const std::vector<Hull>& hulls, Real density)
 {
+    if (hulls.empty()) throw std::invalid_argument("the body has no hulls");
     SolidMass all;
     for (const Hull& hull : hulls) {
         const SolidMass part = mass_of(hull, density);

@@ -77,18 +77,23 @@ inline Moments moments_of(const Hull& hull)
 }
 //! [tetrahedra]
 
+/// Throws std::invalid_argument for a face that names a vertex that is not there.
+void require_vertices(const Hull& hull);
+
 /// A ball and a capsule along any line, of unit density, in closed form (20.17).
 SolidMass round_mass(const Hull& hull);
 
 /// Mass, centroid and inertia of a uniform body.
 /// \param density  [kg/m³]
-/// Throws std::invalid_argument for a density that is not positive, for a body
-/// without volume, and for a polyhedron with a radius: only its core has a closed
-/// form here.
+/// Throws std::invalid_argument for a density that is not positive, for a negative
+/// radius, for a body without volume, for faces that do not close or that name a
+/// vertex that is not there, and for a polyhedron with a radius: only its core has a
+/// closed form here.
 SolidMass mass_of(const Hull& hull, Real density);
 
 /// A body of several hulls that do not overlap: masses add, and each inertia is
 /// moved to the common centroid, (20.18).
+/// Throws std::invalid_argument for what mass_of() of one hull refuses, and for none.
 SolidMass mass_of(const std::vector<Hull>& hulls, Real density);
 
 /// Principal moments, and the axes that they belong to as the columns of a rotation matrix.

@@ -28,6 +28,12 @@ Index add_body(SolidScene& scene, std::vector<Hull> shape, const SolidMass& soli
     const bool moves = solid.mass > 0;
     PrincipalAxes principal;
     if (moves) {
+        const Mat3& I = solid.inertia;  // whose diagonal require_moments() sees
+        const Real most = I.cwiseAbs().maxCoeff();
+        if (!I.allFinite() ||
+            (I - I.transpose()).cwiseAbs().maxCoeff() > 1e-9 * most)
+            throw std::invalid_argument(
+                "a body has an inertia that is not symmetric or not finite");
         principal = principal_axes(solid.inertia);
         require_moments(principal.moments);
     }
@@ -53,7 +59,7 @@ Real energy(const SolidScene& scene)
 {
     Real sum = kinetic_energy(scene.bodies);
     for (Index k = 0; k < scene.bodies.count(); ++k)
-        if (scene.bodies.can_move(k))
+        if (scene.bodies.inverse_mass[6 * k] > 0)  // it may turn about a point
             sum -= scene.gravity.dot(centre_of(scene.bodies.x, k)) /
                    scene.bodies.inverse_mass[6 * k];
     return sum;

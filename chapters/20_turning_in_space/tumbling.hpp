@@ -60,8 +60,8 @@ inline Vec3 implicit_spin(const Vec3& inertia, const Vec3& omega, Real h)
 //! [middle]
 /// (20.8): the turn hξ of one step, from the angular momentum at its beginning, by
 /// Newton's method (20.23). Where the body turns by radians in a step and Newton's
-/// method finds no root in eight rounds, the turn is only near it; L is kept all
-/// the same.
+/// method finds no root in eight rounds, the turn is another one, and may be many
+/// times as long; L is kept all the same.
 inline Vec3 turn_through_the_middle(const Vec3& inertia, const Vec3& omega, Real h)
 {
     const Vec3 L = inertia.cwiseProduct(omega);

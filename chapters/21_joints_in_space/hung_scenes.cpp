@@ -13,7 +13,7 @@ Real slow_precession(Real pivot, Real axial, Real spin, Real weight_arm, Real ti
         throw std::invalid_argument("a spin of " + shortest(spin) +
                                     " rad/s is too slow: no steady precession "
                                     "holds the top at this tilt");
-    return 2 * weight_arm / (b + std::sqrt(inside));
+    return 2 * weight_arm / (b + std::copysign(std::sqrt(inside), b));
 }
 
 //! [top]
@@ -50,8 +50,17 @@ JointedSolids spinning_top(const TopShape& top)
 }
 //! [top]
 
+/// Throws std::invalid_argument unless a chain has something to hang.
+static void require_some(int count, const std::string& what)
+{
+    if (count < 1)
+        throw std::invalid_argument("a chain has " + std::to_string(count) + " " +
+                                    what + "; it needs at least one");
+}
+
 JointedSolids rod_chain(int rods)
 {
+    require_some(rods, "rods");
     JointedSolids scene;
     for (int i = 0; i < rods; ++i) {
         const Vec3 end(i, 0, 0);
@@ -85,6 +94,7 @@ JointedSolids driven_door(Real speed, Real torque, Real stop)
 
 JointedSolids plate_chain(int plates, Real aside)
 {
+    require_some(plates, "plates");
     JointedSolids scene;
     for (int i = 0; i < plates; ++i) {
         const Vec3 end(i, 0, 0);

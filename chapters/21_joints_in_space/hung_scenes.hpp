@@ -19,7 +19,7 @@ struct TopShape {
     Real radius = 0.15, length = 0.2, spin = 60, tilt = pi / 6;
 };
 
-/// (21.8): the rate of slow steady precession [rad/s].
+/// (21.8): the rate of slow steady precession [rad/s], of the sign of the spin.
 /// \param pivot  moment of inertia across the axis, about the tip [kg m²]
 /// \param axial  moment about the axis
 Real slow_precession(Real pivot, Real axial, Real spin, Real weight_arm, Real tilt);
@@ -34,7 +34,8 @@ inline Real precession_of(const TopShape& top)
 
 JointedSolids spinning_top(const TopShape& top);
 
-/// Rods of 1 m, end to end, from a point: ball joints and constant-velocity joints by turns, the first rod level.
+/// Rods of 1 m, end to end, from a point: ball joints and constant-velocity joints by turns, the first rod level. Of no
+/// rod, as of no plate below: std::invalid_argument.
 JointedSolids rod_chain(int rods);
 
 /// A door of 0.8 × 2 m and 20 kg on a hinge, with stops at ±`stop`, that a motor

@@ -11,8 +11,11 @@ inline Vec3 frame_along(const Vec3& axis)
 {
     const Vec3 n = axis / axis.norm();
     // half way from x to n, as a quaternion: (1 + x·n, x × n)
-    const Quaternion q{1 + n.x(), {0, -n.z(), n.y()}};
-    return q.w > 1e-8 ? rotation_vector(q) : Vec3(0, pi, 0);
+    Quaternion q{1 + n.x(), {0, -n.z(), n.y()}};
+    if (q.w > 1e-8) return rotation_vector(q);
+    // nearly turned about, rounding is all of 1 + x·n, which is |x × n|²/(1 − x·n)
+    q.w = q.v.squaredNorm() / (1 - n.x());
+    return q.v.norm() > 1e-15 ? rotation_vector(q) : Vec3(0, pi, 0);
 }
 
 /// A joint whose frames lie in one place now: at a point of the world, x along an

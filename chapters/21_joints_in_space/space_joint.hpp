@@ -25,6 +25,16 @@ enum Coordinate : int {
     coordinates
 };
 
+/// The least and the greatest value that a coordinate can have.
+inline std::pair<Real, Real> range_of(Coordinate which)
+{
+    if (which == twist) return {-pi, pi};
+    if (which == swing_y || which == swing_z) return {-2, 2};
+    if (which == cone) return {0, pi};
+    if (which == pins) return {-1, 1};
+    return {-infinity, infinity};
+}
+
 //! [joint]
 /// A joint in its own coordinates: a frame in either body, and of each coordinate
 /// the least and the greatest value. Both the same: it is locked. Infinite: free.

@@ -40,12 +40,21 @@ std::vector<int> around(const std::vector<Vec3>& points, std::vector<int> face,
 }
 
 //! [hull]
-Hull solid_hull(const std::vector<Vec3>& points)
+Hull solid_hull(const std::vector<Vec3>& given)
 {
-    const int count = static_cast<int>(points.size());
     Real size = 0;
-    for (const Vec3& p : points) size = std::max(size, (p - points[0]).norm());
+    for (const Vec3& p : given) {
+        if (!p.allFinite())
+            throw std::invalid_argument("a point of a hull is not finite");
+        size = std::max(size, (p - given[0]).norm());
+    }
     const Real flat = 1e-10 * size;  // a hundred thousand roundings
+    std::vector<Vec3> points;        // of several in one place the first
+    for (const Vec3& p : given)
+        if (std::none_of(points.begin(), points.end(),
+                         [&](const Vec3& q) { return (p - q).norm() <= 4 * flat; }))
+            points.push_back(p);
+    const int count = static_cast<int>(points.size());
     const auto at = [&points](int i) -> const Vec3& {
         return points[static_cast<std::size_t>(i)];
     };

@@ -15,9 +15,10 @@ namespace rigid {
 std::vector<int> around(const std::vector<Vec3>& points, std::vector<int> face,
                         const Vec3& n, Real flat);
 
-/// The convex hull of these points, as a solid with sharp corners.
-/// \throws std::invalid_argument  if they lie in a plane, or if there are fewer than
-///                                four of them
+/// The convex hull of these points, as a solid with sharp corners. Of points that are
+/// nearer to each other than 4e-10 of their spread the first is taken.
+/// \throws std::invalid_argument  if they lie in a plane, if there are fewer than
+///                                four of them, or if one is not finite
 Hull solid_hull(const std::vector<Vec3>& points);
 
 }  // namespace rigid

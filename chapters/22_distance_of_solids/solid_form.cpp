@@ -33,6 +33,13 @@ void require_valid(const SolidForm& form)
             deepest = std::min(deepest, out);
         }
         if (!(deepest < -flat)) refuse("is flat");
+        for (const int i : hull.faces[f]) {
+            const Vec3& p = hull.vertices[static_cast<std::size_t>(i)];
+            if (form.normals[f].dot(p - on) < -flat)
+                refuse("has a face that is not flat: vertex " + std::to_string(i) +
+                       " is " + shortest(-form.normals[f].dot(p - on)) +
+                       " m inside of face " + std::to_string(f));
+        }
     }
     std::vector<int> faces_of(form.edges.size(), 0);
     for (const std::vector<int>& face : form.face_edges)
@@ -48,8 +55,9 @@ SolidForm form_of(const Hull& hull)
     SolidForm form;
     form.hull = hull;
     const auto corner = [&hull](int i) -> const Vec3& {
-        return hull.vertices.at(static_cast<std::size_t>(i));
+        return hull.vertices[static_cast<std::size_t>(i)];
     };
+    require_vertices(hull);
     for (const Vec3& p : hull.vertices) {
         if (!(p.array().abs() <= largest_number).all())
             throw std::invalid_argument(

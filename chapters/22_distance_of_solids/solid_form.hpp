@@ -36,10 +36,11 @@ struct SolidForm {
 };
 
 /// Throws std::invalid_argument, with a sentence that says what is wrong, unless the hull is convex, closed and not
-/// flat: no corner lies outside of a face, and each edge is one of two faces.
+/// flat: no corner lies outside of a face, those of a face lie in its plane, and each edge is one of two faces.
 void require_valid(const SolidForm& form);
 
-/// \throws std::invalid_argument  for a hull that is not convex, not closed or flat
+/// \throws std::invalid_argument  for a hull that is not convex, not closed or flat, or a face that names a vertex that
+///                                is not there
 SolidForm form_of(const Hull& hull);
 
 /// A hull where its body is.

@@ -98,9 +98,11 @@ void ContactSearch::add(const WalledSolids& scene, Index a, Index b, Real radius
 void ContactSearch::keep_deepest()
 {
     const auto end = touch.points.begin() + touch.count;
-    std::sort(
-        touch.points.begin(), end,
-        [](const TouchPoint& p, const TouchPoint& q) { return p.gap < q.gap; });
+    // of equals the one that is named first, whatever sorts them
+    std::sort(touch.points.begin(), end,
+              [](const TouchPoint& p, const TouchPoint& q) {
+                  return p.gap < q.gap || (p.gap == q.gap && p.feature < q.feature);
+              });
     touch.count = points;
 }
 

@@ -45,15 +45,18 @@ struct SolidPairs {
     {
         const bool all = known != scene.shapes;
         if (all) {
+            // a hull that is refused leaves all of this as it was
+            std::vector<std::vector<SolidForm>> made(scene.shapes.size());
+            for (std::size_t k = 0; k < made.size(); ++k)
+                for (const Hull& hull : scene.shapes[k])
+                    made[k].push_back(form_of(hull));
             known = scene.shapes;
-            forms.assign(known.size(), {});
+            forms = std::move(made);
             reach.assign(known.size(), 0);
             inner.resize(known.size());
             for (std::size_t k = 0; k < known.size(); ++k) {
-                for (const Hull& hull : known[k]) {
-                    forms[k].push_back(form_of(hull));
-                    reach[k] = std::max(reach[k], forms[k].back().reach);
-                }
+                for (const SolidForm& form : forms[k])
+                    reach[k] = std::max(reach[k], form.reach);
                 inner[k] = inner_radius(forms[k]);
             }
             solids.assign(known.size(), {});
