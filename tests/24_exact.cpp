@@ -421,3 +421,41 @@ TEST_CASE("settings of the exact solver that make no sense are refused", "[house
     CHECK_THROWS_WITH(step(scene, {}, method, now),
                       "a number of guesses or steps is -3; it must be zero or more");
 }
+
+TEST_CASE("a residual that is no number is never an answer", "[house]")
+{
+    // two rows of two bodies on walls; one body has a velocity that is none
+    SolverRow<6> rows[2] = {};
+    for (SolverRow<6>& row : rows) {
+        row.Ja.setZero(), row.Wa.setZero();
+        row.Jb << 1, 0, 0, 0, 0, 0;
+        row.Wb = row.Jb.transpose();
+        row.mass = 1, row.hi = infinity;
+    }
+    const int disc_at[] = {-1, -1}, bodies[] = {0, 1};
+    for (const int spoilt : {0, 1}) {
+        rows[0].a = rows[0].b = 0, rows[1].a = rows[1].b = 6;
+        VecX u = VecX::Zero(12);
+        u[6 * spoilt] = std::nan("");
+        const ConeRows problem{rows, {}, disc_at, {}, bodies};
+        CHECK(std::isnan(residual_of(problem, u)));
+        ConeNewton newton;
+        CHECK_FALSE(newton.solve(problem, 1e-9, u));
+        CHECK_FALSE(newton.residual <= 1e-9);
+        for (SolverRow<6>& row : rows) row.lambda = 0;
+    }
+}
+
+TEST_CASE("an island is swept on as many times as are set however many that are", "[house]")
+{
+    const ImpulseSettings sweeps{50, 1e-6};
+    StepData<6> now;
+    now.h = 1.0 / 60, now.length = 1;
+    SweepPatience patience;
+    patience.times = std::numeric_limits<int>::max();
+    for (const int n : {50, 51, 1000, 2000000000}) CHECK_FALSE(patience.is_last(n, sweeps, 100, now));
+    CHECK(patience.is_last(50, sweeps, 1e-3, now));
+    patience.times = 2;
+    CHECK_FALSE(patience.is_last(99, sweeps, 100, now));
+    CHECK(patience.is_last(100, sweeps, 100, now));
+}

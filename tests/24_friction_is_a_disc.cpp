@@ -531,8 +531,32 @@ TEST_CASE("what is no surface and no wall is refused with a sentence", "[house]"
           std::string::npos);
     CHECK(with([](RoughSolids& s) { s.shapes[0][0].faces.pop_back(); }).find("not closed") !=
           std::string::npos);
+    CHECK(sentence_of([] { mixed_heap(5, 0.5, 1, 0); }) ==
+          "a heap has layers of 0 by as many bodies; it must be 1 or more");
     method.contacts.slack = 2;
     CHECK(with([](RoughSolids&) {}) == "the slack of contacts is 2 margins; it must be from 0 to 1");
+}
+
+TEST_CASE("the grip of two surfaces is finite where each of them is", "[house]")
+{
+    CHECK(both_rough({0.5}, 0, {0.5}, 0) == 0.5);
+    CHECK(both_rough({0.3}, 0, {0.7}, 0) == std::sqrt(0.3 * 0.7));
+    // the products are beyond the largest number and below the least
+    CHECK(both_rough({1e200}, 0, {1e180}, 0) == Approx(1e190));
+    CHECK(both_rough({1e-200}, 0, {1e-180}, 0) == Approx(1e-190).epsilon(1e-12).scale(0));
+    CHECK(both_rough({0}, 0, {1e300}, 0) == 0);
+    CHECK(both_rough({}, 0, {1}, 0) == 0);
+}
+
+TEST_CASE("bodies that are given friction leave that of others as it was", "[house]")
+{
+    RoughSolids scene = box_stack(2, 0, 0.3);
+    const Index first = add_body(scene, {solid_ball(0.5)}, 1.0, {5, 0.5, 0});
+    give_friction(scene, first, 0.7);
+    CHECK(scene.friction == std::vector<Real>{0.3, 0.3, 0.7});
+    scene.friction.clear();  // nothing has any
+    give_friction(scene, first, 0.7);
+    CHECK(scene.friction == std::vector<Real>{0, 0, 0.7});
 }
 
 TEST_CASE("a steady step of solids that touch asks for no memory", "[house]")

@@ -161,6 +161,14 @@ TEST_CASE("a pyramid of two corners is refused with a sentence", "[house]")
     LongRun run(2);
     CHECK(sentence_of([&] { run.take(scene, 1.0 / 60, 1); }) ==
           "a pyramid of friction has 2 corners; it must have three or more, or 0: a disc");
+    const std::string two = "a pyramid of friction has 2 corners; it must have three or more";
+    CHECK(sentence_of([] { stop_in_pyramid(1, 0, 2); }) == two);
+    CHECK(sentence_of([] { pyramid_problem({}, 0.5, 2); }) == two);
+    CHECK(sentence_of([] { pyramid_impulses(VecX::Zero(4), 2); }) == two);
+    CHECK(sentence_of([] { pyramid_problem({}, 0.5, 4); }) ==
+          "the problem of a contact has 0 rows; it must have 3");
+    CHECK(sentence_of([] { pyramid_impulses(VecX::Zero(2), 8); }) ==
+          "the answer of a pyramid has 2 rows; it must have 10");
 }
 
 // ---- rolling and spinning -----------------------------------------------------------------------

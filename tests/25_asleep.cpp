@@ -291,6 +291,19 @@ TEST_CASE("what creeps or glides or spins on does not sleep however slowly", "[h
     CHECK(measured_velocity(round, 0, turns)[4] == Approx(std::sqrt((1 + 1) / 12.0)));
     round.ellipsoids.push_back({0, {0, 0, 0}, Vec3(50, 0.1, 50).asDiagonal()});
     CHECK(measured_velocity(round, 0, turns)[4] >= 50);
+    // a wheel that is held at its middle, or by an axle: no force moves it on, or turns it about another axis
+    for (const int from : {0, 3}) {
+        SpaceScene wheel = sliding_block(0, 0, 0);
+        wheel.gravity.setZero(), wheel.shapes[0].clear(), wheel.walls.clear(), wheel.wall_friction.clear();
+        wheel.bodies.inverse_mass.segment<3>(from).setZero();
+        wheel.bodies.inverse_mass[4] = 6;
+        wheel.bodies.u[4] = 5;
+        CHECK(measured_velocity(wheel, 0, turns)[4] == Approx(from == 0 ? 1 : std::sqrt(1.0 / 6)));
+        SleepingCones held;
+        StepData<6> step_of_it;
+        CHECK(until_all_sleep(wheel, held, step_of_it, 100) == 100);
+        CHECK(wheel.bodies.u[4] == Approx(5));
+    }
     // at the highest point of its flight a ball has no velocity
     SpaceScene thrown = thrown_ball(0, 0.5);
     thrown.bodies.x[1] = 3, thrown.bodies.u[1] = 0.02;

@@ -708,6 +708,8 @@ TEST_CASE("a mesh that is none is refused with a sentence", "[house]")
     };
     scene.meshes.push_back(nullptr);
     CHECK(taken(scene) == "mesh 0 of the scene is none; make it by triangle_mesh()");
+    scene.meshes = {std::make_shared<TriangleMesh>()};  // without triangles
+    CHECK(taken(scene) == "mesh 0 of the scene is none; make it by triangle_mesh()");
     scene.meshes = {flat_mesh(4, 4, 1)};
     CHECK(taken(scene) == "accepted");  // no list: no friction
     scene.mesh_friction = {0.5, 0.5};

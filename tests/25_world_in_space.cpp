@@ -10,6 +10,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/order.hpp"
+#include "tests/sentence.hpp"
 
 using namespace rigid;
 
@@ -236,6 +237,36 @@ TEST_CASE("a car sinks on its struts by m g over 4 k and drives as fast as its m
     CHECK(scene.bodies.u[0] == Approx(car.speed).epsilon(1e-4));
     CHECK(height == Approx(car.sink).epsilon(1e-3));
     CHECK(largest_joint_error(scene) < 1e-3);
+}
+
+TEST_CASE("struts push wheels alone and no car is refused", "[house]")
+{
+    const Car car;
+    SpaceScene alone = car_on_floor(car, 0.8);
+    alone.bodies.x[1] -= 0.05;  // it sinks on its struts
+    SpaceScene scene = alone;
+    const Index trailer = add_body(scene, {solid_box({1, 0.5, 1})}, 100.0, {-3, 0.5, 0});
+    give_friction(scene, trailer, 0.8);
+    scene.joints.push_back(ball_joint(scene, 0, trailer, {-2, 0.5, 0}));
+    WreckingBall ball;
+    ball.links = 2;
+    add_wrecking_ball(scene, ball, 0.5);  // on a hook of the world
+    CHECK(scene.friction[0] == 0.8);
+    scene.bodies.x[6 * trailer + 1] += 0.1;
+    push_struts(alone, car, 1.0 / 240);
+    push_struts(scene, car, 1.0 / 240);
+    CHECK(alone.bodies.u.norm() > 0.1);
+    CHECK(scene.bodies.u.head(30) == alone.bodies.u);
+    CHECK(scene.bodies.u.tail(scene.bodies.u.size() - 30).isZero(0));
+    SpaceScene none = brick_wall(2, 2, 0.5);
+    CHECK(sentence_of([&] { push_struts(none, car, 1.0 / 240); }) ==
+          "joint 0 of the scene holds no wheel 1 of a car on body 0");
+    // a doll is rough, and what is smooth stays so
+    SpaceScene smooth;
+    add_body(smooth, {solid_box({1, 1, 1})}, 100.0, {0, 0.5, 0});
+    add_doll(smooth, {3, 0, 0});
+    CHECK(smooth.friction[0] == 0);
+    CHECK(smooth.friction[1] == 0.5);
 }
 
 TEST_CASE("poured hulls stay in their pit and lose energy", "[house]")

@@ -5,6 +5,7 @@
 #include "tests/no_allocation.hpp"
 #include "tests/sentence.hpp"
 
+#include "chapters/12_contact_manifolds/chains.hpp"
 #include "chapters/13_friction/friction_problems.hpp"
 #include "chapters/13_friction/slopes.hpp"
 #include "chapters/26_four_ways/acceleration_level.hpp"
@@ -74,6 +75,38 @@ TEST_CASE("a block on springs along a slope sticks with a stretch and does not c
     };
     stands(ExplicitPenalty<Manifolds>{});
     stands(ImplicitPenalty<Manifolds>{});
+}
+
+TEST_CASE("a wheel on springs stays where its arm holds it and else rolls as it must", "[house]")
+{
+    const Real r = 0.1, arm = 0.01;
+    const auto rolls = [&](Real degrees, auto method) {
+        JointedScene scene;
+        scene.walls.push_back({{0, 1}, 0});
+        add_body(scene, disc(r), Mass{1, {0, 0}, r * r / 2}, {0, r});
+        cover(scene, {0.5, 0, 0, arm});
+        const Real a = degrees * pi / 180;
+        scene.gravity = 9.81 * Vec2(std::sin(a), -std::cos(a));
+        method.correction.springs.stiffness = 1e5;
+        StepData<3> now;
+        for (int i = 0; i < 5000; ++i) step(scene, {.h = 1e-4}, method, now);
+        const Real half = scene.bodies.u[0];
+        for (int i = 0; i < 5000; ++i) step(scene, {.h = 1e-4}, method, now);
+        return std::array{scene.bodies.x[0], half, scene.bodies.u[0]};
+    };
+    const auto check = [&](auto method) {
+        // tan 3° = 0.052 is below 0.1: it yields by w/k and comes to rest
+        const auto held = rolls(3, method);
+        CHECK(std::abs(held[0]) < 1e-3);
+        CHECK(std::abs(held[2]) < 1e-5);
+        // ⅔ (g sin α − c/r g cos α), once the springs have taken up the weight
+        const Real a = 8 * pi / 180, faster = 2.0 / 3 * 9.81 * (std::sin(a) - arm / r * std::cos(a));
+        const auto rolled = rolls(8, method);
+        // the wheel sinks in by w/k, a thousandth of r, and this is a difference of terms four times as large
+        CHECK(rolled[2] - rolled[1] == Approx(faster / 2).epsilon(5e-3));
+    };
+    check(ExplicitPenalty<Manifolds>{});
+    check(ImplicitPenalty<Manifolds>{});
 }
 
 TEST_CASE("a spring that slides along a slope holds no more than its bound", "[house]")
@@ -583,8 +616,159 @@ TEST_CASE("what a way has no row for and what does not fit is refused by its sen
           "the restitution of contacts and limits is 2; it must be from 0 to 1");
 }
 
+TEST_CASE("chains and bodies of several shapes and broken filters are refused by a sentence", "[house]")
+{
+    JointedScene scene;
+    add_chain(scene, {{5, 0}, {-5, 0}}, false);
+    add_body(scene, disc(0.2), Mass{1, {0, 0}, 1}, {0, 1});
+    const std::string sided =
+        "the scene has 1 chains of edges that are solid on one side; springs, impulses all at once and "
+        "positions take them, this way has both sides alone";
+    CHECK(sentence_of([&] { AccelerationLevel().advance(scene, 0.01); }) == sided);
+    CHECK(sentence_of([&] { SingleImpulses().advance(scene, 0.01); }) == sided);
+    CHECK(sentence_of([&] { ReducedMotion motion(scene); }) == sided);
+    scene = ball(1, 0.5);
+    scene.carried.resize(1);
+    CHECK(sentence_of([&] { SingleImpulses().advance(scene, 0.01); }) ==
+          "the scene has bodies of several shapes; this way has one shape to a body");
+
+    scene = ball(1, 0.5);
+    CollisionFilter filter;
+    filter.group = {200};
+    CHECK(sentence_of([&] { require_fits(filter, 1); }) ==
+          "the filter of collisions has the group 200; there are groups 0 to 63");
+    filter = {};
+    filter.filters.resize(3);
+    CHECK(sentence_of([&] { require_fits(filter, 1); }) ==
+          "the filter of collisions has 3 filters for 1 bodies; it must be empty or have 1");
+    filter = {};
+    filter.first = {0, 9};
+    CHECK(sentence_of([&] { require_fits(filter, 1); }) ==
+          "the list of pairs of the filter of collisions does not begin at 0, ascend and end at its 0 "
+          "partners");
+    CHECK(sentence_of([] { require_fits(forbid_pairs(3, {{0, 2}, {1, 2}}), 3); }) == "accepted");
+}
+
+TEST_CASE("the filter of each body's own keeps apart what it says", "[house]")
+{
+    JointedScene scene;
+    scene.gravity = {0, 0};
+    for (const Real x : {0.0, 0.5}) add_body(scene, disc(0.1), Mass{1, {0, 0}, 0.005}, {x, 0});
+    scene.bodies.u[0] = 1;
+    cover(scene, {0, 1, 0, 0});
+    for (const bool meet : {true, false}) {
+        JointedScene copy = scene;
+        SingleImpulses single;
+        single.filter.filters.resize(2);
+        for (Filter& own : single.filter.filters) own.group = meet ? 1 : -1;
+        REQUIRE(single.advance(copy, 1) == Status::solved);
+        CHECK(copy.bodies.u[3] == Approx(meet ? 1 : 0).margin(1e-12));
+    }
+}
+
+TEST_CASE("no force moves a body of infinite mass and coordinates refuse it", "[house]")
+{
+    // a wheel that turns where it is, and a bead on a level rail
+    for (const Vec<3>& inverse : {Vec<3>(0, 0, 1), Vec<3>(1, 0, 0)}) {
+        JointedScene scene;
+        add_body(scene, disc(0.5), Mass{1, {0, 0}, 1}, {0, 0});
+        scene.bodies.inverse_mass = inverse;
+        scene.bodies.u << inverse.x(), 0, inverse.z();
+        for (const Way way : {Way::spring, Way::acceleration, Way::single, Way::impulses, Way::positions}) {
+            INFO(to_string(way));
+            WayScene one;
+            one.scene = scene;
+            WayRun run(way, one, {1e4, 20});
+            for (int i = 0; i < 10; ++i) REQUIRE(run.advance(0.01) == Status::solved);
+            CHECK((run.scene().bodies.x - 0.1 * scene.bodies.u).norm() <= 1e-15);
+            CHECK((run.scene().bodies.u - scene.bodies.u).norm() <= 1e-15);
+        }
+        if (inverse.x() > 0) continue;
+        CHECK(sentence_of([&] { ReducedMotion motion(scene); }) ==
+              "body 0 has the inverse masses 0, 0 and 1; coordinates take bodies that move in all directions "
+              "or in none");
+    }
+}
+
+TEST_CASE("a long body that spins among small ones passes nothing", "[house]")
+{
+    // ℓ is that of the many: 0.1 m. The end of the rod comes to the post after 5 ms, 1.5 m away from where it was
+    JointedScene scene;
+    scene.gravity = {0, 0};
+    add_body(scene, box(10, 0.1), Mass{1, {0, 0}, 100.0 / 12}, {0, 0});
+    scene.bodies.u[2] = 60;
+    for (int i = 0; i < 200; ++i) add_body(scene, disc(0.005), Mass{1, {0, 0}, 1}, {100.0 + i, 100});
+    add_body(scene, disc(0.05), Mass{0, {0, 0}, 0}, {4.5 * std::cos(0.3), 4.5 * std::sin(0.3)});
+    cover(scene, {0, 1, 0, 0});
+    REQUIRE(typical_length(scene) == Approx(0.1));
+    for (const Way way : {Way::acceleration, Way::single, Way::coordinates}) {
+        INFO(to_string(way));
+        WayScene one;
+        one.scene = scene;
+        WayRun run(way, one, {1e4, 20});
+        REQUIRE(run.advance(1.0 / 120) == Status::solved);
+        CHECK(run.scene().bodies.u[2] < 0);  // it was hit, and turns back
+        CHECK(run.scene().bodies.x[2] < 0.3);
+    }
+}
+
+TEST_CASE("a joint that is another than it was is refused by coordinates and its limits may change",
+          "[house]")
+{
+    const std::string other =
+        "the scene has other bodies, masses or joints than that of which these coordinates "
+        "were made; make them of it again";
+    JointedScene scene = bead_on_a_wire();
+    ReducedMotion loop(scene);
+    REQUIRE(loop.advance(scene, 0.01) == Status::solved);
+    scene.joints[0].length = 1.2;
+    CHECK(sentence_of([&] { loop.advance(scene, 0.01); }) == other);
+    scene = pendulum().scene;
+    RigidJoint joint = scene.placed[0].joint;
+    joint.lower = -1, joint.upper = 1;
+    scene.joints.clear(), scene.placed.clear(), scene.owner.clear();
+    add_joint(scene, joint);
+    ReducedMotion tree(scene);
+    REQUIRE(tree.advance(scene, 0.01) == Status::solved);
+    for (PointJoint& row : scene.joints)
+        if (row.kind == ConstraintKind::unilateral) row.length *= 0.5;
+    CHECK(tree.advance(scene, 0.01) == Status::solved);
+    scene.joints[0].at_a.x() += 0.3;
+    CHECK(sentence_of([&] { tree.advance(scene, 0.01); }) == other);
+}
+
+TEST_CASE("a scene of nothing is solved and contacts that have no normal have no force", "[house]")
+{
+    for (const Way way : all_ways) {
+        INFO(to_string(way));
+        WayRun run(way, {}, {});
+        CHECK(run.advance(0.01) == Status::solved);
+    }
+    JointedScene scene;  // one disc where another is
+    for (int i = 0; i < 2; ++i) add_body(scene, disc(0.1), Mass{1, {0, 0}, 0.005}, {0, 0});
+    CHECK(AccelerationLevel().advance(scene, 0.01) == Status::infeasible);
+    CHECK(scene.bodies.x.isZero(0));
+    // accelerations are asked of the scene that close() has seen
+    JointedScene three;
+    three.walls.push_back({{0, 1}, 0});
+    for (int i = 0; i < 3; ++i) add_body(three, disc(0.1), Mass{1, {0, 0}, 0.005}, {1.0 * i, 0.1});
+    AccelerationLevel level;
+    level.close(three, 0.1);
+    REQUIRE(level.closed() == 3);
+    VecX a;
+    CHECK(level.accelerations(three, three.bodies.x, three.bodies.u, a) == Status::solved);
+    CHECK(sentence_of([&] { level.accelerations(scene, scene.bodies.x, scene.bodies.u, a); }) ==
+          "the scene has 2 bodies; its closed contacts were found among 3: call close()");
+}
+
 TEST_CASE("numbers that make no sense are refused by the formulas and runs of the ways", "[house]")
 {
+    // a soft spring beside a strong damper: 2 m/c, and no difference of two equal roots
+    CHECK(largest_step(1, 1e-12, 1e3) == Approx(2e-3).epsilon(1e-12));
+    CHECK(largest_step(1, 1e300, 1e200) == Approx(2e-200).epsilon(1e-12).scale(0));
+    CHECK(sentence_of([] {
+              one_contact(Eigen::Matrix<Real, 2, 2>::Identity(), {-1, std::nan("")}, 0.5, 0);
+          }) == "a contact's A or its v_t is not finite");
     CHECK(sentence_of([] { largest_stiffness(1, 0, 0); }) == "the step is 0; it must be positive and finite");
     CHECK(sentence_of([] { largest_stiffness(-1, 0, 1); }) ==
           "the mass is -1; it must be positive and finite");

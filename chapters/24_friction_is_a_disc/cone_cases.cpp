@@ -78,6 +78,7 @@ void cone_velocities(const ConeRows& p, const VecX& outside, ConeGuess& g)
 Real choose_cases(const ConeRows& p, Real enough, ConeGuess& g)
 {
     Real largest = 0;
+    bool is_number = true;
     const auto points = [&](std::size_t k) {
         return g.lambda[static_cast<Index>(k)] -
                p.rows[k].mass * g.w[static_cast<Index>(k)];
@@ -120,9 +121,10 @@ Real choose_cases(const ConeRows& p, Real enough, ConeGuess& g)
                        : there >= hi ? ConeCase::high
                                      : ConeCase::free;
         }
-        if (!(off <= largest)) largest = off;
+        is_number = is_number && !std::isnan(off);
+        largest = std::max(largest, off);
     }
-    return largest;
+    return is_number ? largest : infinity;
 }
 //! [cone_cases]
 

@@ -110,8 +110,8 @@ Real take_errors(ConeGuess& g)
             equation.error = across.dot(g.w.segment<2>(i)) +
                              g.give[i] * across.dot(g.lambda.segment<2>(i));
         }
-        if (!(std::abs(equation.error) <= largest))
-            largest = std::abs(equation.error);
+        if (!std::isfinite(equation.error)) return infinity;
+        largest = std::max(largest, std::abs(equation.error));
     }
     return largest;
 }

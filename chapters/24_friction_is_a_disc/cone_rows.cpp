@@ -40,6 +40,7 @@ Real residual_of(const ConeRows& p, const VecX& u)
                                      row->hi);
         }
         if (!(r <= largest)) largest = r;
+        if (std::isnan(largest)) return largest;
     }
     return largest;
 }

@@ -7,11 +7,15 @@
 
 namespace rigid {
 
-/// √(μ_a μ_b); where there is no list, nothing has friction.
+/// √(μ_a μ_b), also where the product has no place among the numbers; where there is no list, nothing has friction.
 inline Real both_rough(const std::vector<Real>& of_a, std::size_t a,
                        const std::vector<Real>& of_b, std::size_t b)
 {
-    return of_a.empty() || of_b.empty() ? 0 : std::sqrt(of_a[a] * of_b[b]);
+    if (of_a.empty() || of_b.empty()) return 0;
+    const Real product = of_a[a] * of_b[b];
+    return product > 0 && std::isfinite(product)
+               ? std::sqrt(product)
+               : std::sqrt(of_a[a]) * std::sqrt(of_b[b]);
 }
 
 inline Real longer_arm(const std::vector<Real>& arms, std::size_t a, std::size_t b)

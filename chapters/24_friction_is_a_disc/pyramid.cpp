@@ -5,9 +5,30 @@
 
 namespace rigid {
 
+namespace {
+
+void require_pyramid(int corners)
+{
+    if (corners < 3)
+        throw std::invalid_argument("a pyramid of friction has " +
+                                    std::to_string(corners) +
+                                    " corners; it must have three or more");
+}
+
+void require_numbers(Index count, Index right, const char* of)
+{
+    if (count != right)
+        throw std::invalid_argument(std::string(of) + " has " +
+                                    std::to_string(count) + " rows; it must have " +
+                                    std::to_string(right));
+}
+
+}  // namespace
+
 //! [stop]
 Vec2 stop_in_pyramid(Real d, Real phi, int corners)
 {
+    require_pyramid(corners);
     const Real half = pi / corners;
     // the force is towards the corner next to −v; ψ counts from the middle of the side
     const Real side = std::floor((phi + pi) / (2 * half));
@@ -22,6 +43,8 @@ Vec2 stop_in_pyramid(Real d, Real phi, int corners)
 //! [problem]
 Mlcp pyramid_problem(const Mlcp& rows, Real mu, int corners)
 {
+    require_pyramid(corners);
+    require_numbers(rows.q.size(), 3, "the problem of a contact");
     const Index m = corners;
     MatX D = MatX::Zero(3, m + 2);  // impulses of the three rows
     for (Index k = 0; k < m; ++k) {
@@ -39,6 +62,8 @@ Mlcp pyramid_problem(const Mlcp& rows, Real mu, int corners)
 
 Vec3 pyramid_impulses(const VecX& answer, int corners)
 {
+    require_pyramid(corners);
+    require_numbers(answer.size(), corners + 2, "the answer of a pyramid");
     Vec3 lambda(0, 0, answer[corners]);
     for (int k = 0; k < corners; ++k) {
         const Real angle = 2 * pi * k / corners;

@@ -10,6 +10,8 @@
 
 namespace rigid {
 
+// Each throws std::invalid_argument for fewer than three corners, and for a problem or an answer of another size.
+
 /// (24.9): where a block stops that starts at an angle φ, ahead and to the side
 /// that φ grows to.
 /// \param d  v²/2μg: how far it goes on a disc [m]

@@ -36,6 +36,9 @@ RoughSolids box_stack(int boxes, Real turn, Real mu)
 //! [heap]
 RoughSolids mixed_heap(int bodies, Real mu, std::uint64_t seed, int side)
 {
+    if (side < 1)
+        throw std::invalid_argument("a heap has layers of " + std::to_string(side) +
+                                    " by as many bodies; it must be 1 or more");
     RoughSolids scene;
     Random random(seed);
     const auto draw = [&random](Real low, Real high) {

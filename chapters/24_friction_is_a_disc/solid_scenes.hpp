@@ -17,6 +17,13 @@ inline void add_floor(RoughSolids& scene, Real mu)
     scene.friction.assign(scene.shapes.size(), mu);
 }
 
+/// μ of the bodies from `first` on. Where nothing had friction, those before have none.
+inline void give_friction(RoughSolids& scene, Index first, Real mu)
+{
+    scene.friction.resize(static_cast<std::size_t>(first), 0);
+    scene.friction.resize(scene.shapes.size(), mu);
+}
+
 //! [slide]
 /// A flat block of 1 kg on a floor, 1 × 0.2 × 1 m, that slides.
 /// \param direction  of its velocity, from x towards −z [rad]
@@ -47,7 +54,7 @@ RoughSolids thrown_ball(Real speed, Real mu);
 RoughSolids box_stack(int boxes, Real turn, Real mu);
 
 /// Balls, capsules, boxes and hulls of about half a metre, in layers of side² above
-/// a pit with sloping sides.
+/// a pit with sloping sides. \throws std::invalid_argument  for a side below 1
 RoughSolids mixed_heap(int bodies, Real mu, std::uint64_t seed, int side = 3);
 
 }  // namespace rigid

@@ -30,7 +30,8 @@ struct SweepPatience {
         if (n < set) return false;
         const bool harm =
             sweeps.tolerance > 0 && residual * now.h > margin * now.length;
-        return (n == set && !harm) || n >= times * set;
+        const auto most = static_cast<std::int64_t>(times) * set;
+        return (n == set && !harm) || n >= most;
     }
 
     void require_valid() const

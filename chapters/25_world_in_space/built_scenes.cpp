@@ -31,6 +31,7 @@ void add_wrecking_ball(SpaceScene& scene, const WreckingBall& ball, Real mu)
     const Real way = ball.links * ball.link_length + ball.radius;
     const Vec3 hook(0, ball.height + way, ball.face - ball.radius);
     const Vec3 down(0, -cos(ball.lift), -sin(ball.lift));
+    const Index first = scene.bodies.count();
     Index before = world;
     for (int i = 0; i <= ball.links; ++i) {
         const Vec3 end = hook + i * ball.link_length * down;
@@ -46,7 +47,7 @@ void add_wrecking_ball(SpaceScene& scene, const WreckingBall& ball, Real mu)
         scene.joints.push_back(ball_joint(scene, before, k, end));
         before = k;
     }
-    scene.friction.assign(scene.shapes.size(), mu);
+    give_friction(scene, first, mu);
 }
 
 SpaceScene card_tower(int storeys, Real lean, Real mu)

@@ -29,12 +29,25 @@ SpaceScene car_on_floor(const Car& car, Real mu)
     return scene;
 }
 
+static void require_car(const SpaceScene& scene)
+{
+    for (std::size_t i = 0; i < 4; ++i)
+        if (i >= scene.joints.size() || scene.joints[i].a != 0 ||
+            scene.joints[i].b != static_cast<Index>(i) + 1 ||
+            scene.joints[i].b >= scene.bodies.count())
+            throw std::invalid_argument(
+                "joint " + std::to_string(i) + " of the scene holds no wheel " +
+                std::to_string(i + 1) + " of a car on body 0");
+}
+
 //! [struts]
 void push_struts(SpaceScene& scene, const Car& car, Real h)
 {
+    require_car(scene);
     Bodies<6>& bodies = scene.bodies;
     const VecX u = bodies.u;  // no strut sees what another has pushed
-    for (const SpaceJoint& joint : scene.joints) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        const SpaceJoint& joint = scene.joints[i];
         const Constraint<6> strut =
             coordinate_of(frames_of(bodies.x, joint), joint, along_y);
         const Real rate = strut.Ja.dot(u.segment<6>(6 * joint.a)) +

@@ -30,17 +30,19 @@ struct Car {
 /// wheels, and joint i holds wheel i + 1.
 SpaceScene car_on_floor(const Car& car, Real mu);
 
-/// (25.10) of all struts, for a step of length h that comes after it. A step longer
+/// (25.10) of the four struts, for a step of length h that comes after it. A step longer
 /// than 2 m/d of a wheel is unstable: with the values above, 1/42 s.
+/// \throws std::invalid_argument  for a scene that does not begin with a car
 void push_struts(SpaceScene& scene, const Car& car, Real h);
 
 /// Sleepers across the way of the car, that cannot move.
 inline void add_bumps(SpaceScene& scene, int bumps, Real height, Real mu)
 {
+    const Index first = scene.bodies.count();
     for (int i = 0; i < bumps; ++i)
         add_body(scene, {solid_box({0.4, 2 * height, 1.6})}, SolidMass{},
                  {4 + 2.0 * i, 0, i % 2 == 0 ? -1.0 : 1.0});
-    scene.friction.assign(scene.shapes.size(), mu);
+    give_friction(scene, first, mu);
 }
 
 }  // namespace rigid

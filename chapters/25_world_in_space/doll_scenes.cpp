@@ -46,8 +46,7 @@ void add_doll(SpaceScene& scene, const Vec3& at)
         join(pelvis, thigh, beside(0.93, 0.1), -up, 1.0, 0.5);
         join_hinge(thigh, shin, beside(0.48, 0.1), {0, 0, -1});
     }
-    scene.friction.resize(static_cast<std::size_t>(first), 0.5);
-    scene.friction.resize(scene.shapes.size(), 0.5);
+    give_friction(scene, first, 0.5);
 }
 
 void add_stairs(SpaceScene& scene, int steps, Real width, Real mu)

@@ -8,7 +8,7 @@ namespace rigid {
 void require_touching(const SpaceScene& scene)
 {
     for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-        if (!scene.meshes[i])
+        if (!scene.meshes[i] || scene.meshes[i]->count() == 0)
             throw std::invalid_argument("mesh " + std::to_string(i) +
                                         " of the scene is none; make it by "
                                         "triangle_mesh()");

@@ -12,15 +12,16 @@ namespace rigid {
 
 //! [measured]
 /// (25.5): no point of the body is faster than ‖v‖ + ‖ω‖ r. What has no hull has
-/// the size that its inertia needs.
+/// the size that its inertia needs, and ℓ where its mass is infinite.
 inline Vec<6> measured_velocity(const SpaceScene& scene, Index k, const Vec<6>& u)
 {
     Real r = reach_of(scene.shapes[static_cast<std::size_t>(k)]);
     for (const SolidEllipsoid& e : scene.ellipsoids)
         if (e.body == k) r = std::max(r, e.at.norm() + e.stretch.norm());
     const Vec<6> inverse = scene.bodies.inverse_mass.segment<6>(6 * k);
-    if (const Real turns = inverse.tail<3>().minCoeff(); turns > 0)
-        r = std::max(r, std::sqrt(inverse[0] / turns));
+    for (Index d = 3; d < 6; ++d)  // about axes that it turns about
+        if (inverse[d] > 0) r = std::max(r, std::sqrt(inverse[0] / inverse[d]));
+    if (!(r > 0)) r = typical_length(scene);
     Vec<6> measured = u;
     measured.tail<3>() *= r;
     return measured;

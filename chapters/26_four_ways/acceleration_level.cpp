@@ -33,6 +33,7 @@ void AccelerationLevel::close(const JointedScene& scene, Real reach)
     length_ = typical_length(scene);
     find_push_joints(scene, filter, reach, near_);
     closed_.clear();
+    bodies_closed_ = scene.bodies.count();
     const VecX &x = scene.bodies.x, &u = scene.bodies.u;
     for (std::size_t i = 0; i < near_.size(); ++i) {
         const Constraint<3> c = gap_of(near_[i], x);
@@ -64,6 +65,11 @@ Status AccelerationLevel::accelerations(const JointedScene& scene, const VecX& x
                                     " and " + std::to_string(u.size()) +
                                     " entries; the bodies have " +
                                     std::to_string(n));
+    if (!closed_.empty() && scene.bodies.count() != bodies_closed_)
+        throw std::invalid_argument(
+            "the scene has " + std::to_string(scene.bodies.count()) +
+            " bodies; its closed contacts were found among " +
+            std::to_string(bodies_closed_) + ": call close()");
     ++work.evaluations;
     free_accelerations(scene, a);
     const VecX& inverse_mass = scene.bodies.inverse_mass;
@@ -137,6 +143,8 @@ Status AccelerationLevel::accelerations(const JointedScene& scene, const VecX& x
         mlcp_.q[i] = row.velocity(a);
         mlcp_.lo[i] = row.lo, mlcp_.hi[i] = row.hi;
     }
+    // two discs with one centre have no normal, and so no force
+    if (!A.allFinite() || !mlcp_.q.allFinite()) return Status::infeasible;
     if (symmetric) A = ((A + A.transpose()) / 2).eval();  // to the bit
     mlcp_.A = A.sparseView();
     if (symmetric) {
@@ -283,13 +291,12 @@ Status AccelerationLevel::advance(JointedScene& scene, Real h)
     Real left = h;
     for (int events = 0; left > 0; ++events) {
         if (events >= settings.most_events) return Status::iteration_limit;
-        Real fastest = scene.gravity.norm() * left;
-        for (Index k = 0; k < bodies.count(); ++k)
-            fastest =
-                std::max(fastest, bodies.velocity(k).head<2>().norm() +
-                                      std::abs(bodies.u[3 * k + 2]) * length_);
-        close(scene, 0.05 * typical_length(scene) + 2 * fastest * left);
-        if (impact(scene)) close(scene, 0.05 * length_ + 2 * fastest * left);
+        const Real length = typical_length(scene),
+                   reach = closing_reach(scene, length, left);
+        close(scene, 0.05 * length + reach);
+        if (impact(scene))  // it may have made something faster
+            close(scene, 0.05 * length +
+                             std::max(reach, closing_reach(scene, length, left)));
         VecX x = bodies.x, u = bodies.u;
         Status status = move(scene, left, x, u);
         if (status != Status::solved) return status;

@@ -77,6 +77,7 @@ private:
 
     std::vector<PushJoint> near_;
     std::vector<Closed> closed_;
+    Index bodies_closed_ = 0;  ///< of the scene of near_
     std::vector<Row<3>> rows_;
     std::vector<FrictionBox> boxes_;
     std::vector<Real> slip_;  ///< μ sign(v_t) of each row, 0: none
@@ -89,13 +90,5 @@ private:
     VecX guess_;  ///< the last forces with friction [N]
     Real length_ = 1;
 };
-
-/// M⁻¹ f of the weight alone [m/s²].
-inline void free_accelerations(const JointedScene& scene, VecX& a)
-{
-    a.setZero(scene.bodies.u.size());
-    for (Index k = 0; k < scene.bodies.count(); ++k)
-        if (scene.bodies.can_move(k)) a.segment<2>(3 * k) = scene.gravity;
-}
 
 }  // namespace rigid

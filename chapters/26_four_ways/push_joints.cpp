@@ -129,7 +129,21 @@ void require_fits(const CollisionFilter& filter, std::size_t bodies)
                 std::to_string(right));
     };
     require("groups", filter.group.size(), bodies);
+    require("filters", filter.filters.size(), bodies);
     require("beginnings of its list of pairs", filter.first.size(), bodies + 1);
+    for (const std::uint8_t group : filter.group)
+        if (group >= most_groups)
+            throw std::invalid_argument(
+                "the filter of collisions has the group " + std::to_string(group) +
+                "; there are groups 0 to " + std::to_string(most_groups - 1));
+    const std::vector<int>& first = filter.first;
+    if (!first.empty() &&
+        (first.front() != 0 || !std::is_sorted(first.begin(), first.end()) ||
+         first.back() != std::ssize(filter.partner)))
+        throw std::invalid_argument(
+            "the list of pairs of the filter of collisions does not begin at 0, "
+            "ascend and end at its " +
+            std::to_string(filter.partner.size()) + " partners");
 }
 
 void require_valid_motion(const JointedScene& scene, const CollisionFilter& filter,
@@ -144,6 +158,14 @@ void require_valid_motion(const JointedScene& scene, const CollisionFilter& filt
         throw std::invalid_argument("the scene lies on a cloth; springs, impulses "
                                     "all at once and positions "
                                     "have rows for it, this way has none");
+    if (!scene.chains.empty())
+        throw std::invalid_argument(
+            "the scene has " + std::to_string(scene.chains.size()) +
+            " chains of edges that are solid on one side; springs, impulses all at "
+            "once and positions take them, this way has both sides alone");
+    if (!scene.carried.empty())
+        throw std::invalid_argument("the scene has bodies of several shapes; this "
+                                    "way has one shape to a body");
     for (const std::vector<Surface>* const list :
          {&scene.surfaces, &scene.wall_surfaces})
         for (const Surface& surface : *list)
@@ -174,6 +196,20 @@ void require_one_friction(const JointedScene& scene)
         throw std::invalid_argument(
             "a surface has a smaller coefficient of friction while it slides; this "
             "way has one coefficient for both");
+}
+
+Real closing_reach(const JointedScene& scene, Real length, Real h)
+{
+    Real fastest = scene.gravity.norm() * h;
+    for (Index k = 0; k < scene.bodies.count(); ++k) {
+        const Polygon& shape = scene.shapes[static_cast<std::size_t>(k)];
+        Real arm = length;
+        for (const Vec2& vertex : shape.vertices)
+            arm = std::max(arm, vertex.norm() + shape.radius);
+        const auto u = scene.bodies.velocity(k);
+        fastest = std::max(fastest, u.head<2>().norm() + std::abs(u[2]) * arm);
+    }
+    return 2 * h * fastest;
 }
 
 void find_push_joints(const JointedScene& scene, const CollisionFilter& filter,
@@ -208,11 +244,7 @@ void find_push_joints(const JointedScene& scene, const CollisionFilter& filter,
     const PairSet joined(std::move(held));
     const auto may_meet = [&](Index a, Index b) {
         return (bodies.can_move(a) || bodies.can_move(b)) &&
-               (filter.meets[static_cast<std::size_t>(
-                    filter.group_of(static_cast<int>(a)))] >>
-                    filter.group_of(static_cast<int>(b)) &
-                1) != 0 &&
-               !filter.forbids(static_cast<int>(a), static_cast<int>(b)) &&
+               filter.lets_meet(a, b) && !filter.forbids(a, b) &&
                !joined.contains(a, b);
     };
     for (const auto& [a, b] : pairs_of_boxes(placed, margin)) {

@@ -34,13 +34,32 @@ struct PushJoint {
 void find_push_joints(const JointedScene& scene, const CollisionFilter& filter,
                       Real margin, std::vector<PushJoint>& found);
 
+/// How much nearer two bodies can come in h seconds, about: twice the way of the fastest point of any [m].
+/// \param length  the least arm of what turns [m]
+Real closing_reach(const JointedScene& scene, Real length, Real h);
+
+/// M⁻¹ f of the weight of body k alone [m/s²]: none of what no force moves on.
+inline Vec2 free_acceleration(const JointedScene& scene, Index k)
+{
+    const Vec2 inverse = scene.bodies.inverse_mass.segment<2>(3 * k);
+    if (!(inverse.x() > 0)) return {0, 0};
+    return {scene.gravity.x(), scene.gravity.y() * (inverse.y() / inverse.x())};
+}
+inline void free_accelerations(const JointedScene& scene, VecX& a)
+{
+    a.setZero(scene.bodies.u.size());
+    for (Index k = 0; k < scene.bodies.count(); ++k)
+        a.segment<2>(3 * k) = free_acceleration(scene, k);
+}
+
 /// The door of the ways that are no step of chapter 3's: throws std::invalid_argument, naming what makes no sense, and what they
-/// have no row for: rolling resistance, a cloth, joints that break, motors and springs of joints.
+/// have no row for: rolling resistance, a cloth, chains of edges, joints that break, motors and springs of joints.
 /// \param otherwise  how the sentence of motors and springs ends: what the way does with joints
 void require_valid_motion(const JointedScene& scene, const CollisionFilter& filter,
                           std::string_view otherwise);
 
-/// Throws std::invalid_argument unless the lists of a filter are empty or as long as so many bodies need.
+/// Throws std::invalid_argument unless the lists of a filter are empty or as long as so many bodies need, its groups are below
+/// most_groups, and its list of pairs ends where they do.
 void require_fits(const CollisionFilter& filter, std::size_t bodies);
 
 /// Throws std::invalid_argument for a surface whose μ depends on whether it slides.

@@ -3,6 +3,7 @@
 
 #include "chapters/26_four_ways/reduced_motion.hpp"
 
+#include "chapters/12_contact_manifolds/scene_watch.hpp"
 #include "chapters/26_four_ways/order_four.hpp"
 
 #include <Eigen/LU>
@@ -91,6 +92,16 @@ const JointedScene& checked(const JointedScene& scene,
     require_valid_motion(scene, filter,
                          "coordinates of joints take their forces from outside");
     require_one_friction(scene);
+    for (Index k = 0; k < scene.bodies.count(); ++k) {
+        const Vec<3> inverse = scene.bodies.inverse_mass.segment<3>(3 * k);
+        if (scene.bodies.can_move(k) && !(inverse.minCoeff() > 0))
+            throw std::invalid_argument(
+                "body " + std::to_string(k) + " has the inverse masses " +
+                shortest(inverse.x()) + ", " + shortest(inverse.y()) + " and " +
+                shortest(inverse.z()) +
+                "; coordinates take bodies that move in all directions or in "
+                "none");
+    }
     return scene;
 }
 
@@ -98,7 +109,7 @@ const JointedScene& checked(const JointedScene& scene,
 
 ReducedMotion::ReducedMotion(const JointedScene& scene)
     : parts_(split_loops(checked(scene))), tree_(parts_.tree),
-      links_(links_of(parts_.tree)), rows_given_(scene.joints.size())
+      links_(links_of(parts_.tree)), joints_given_(scene.joints)
 {
     x_ = parts_.tree.bodies.x, u_ = parts_.tree.bodies.u;
     take(scene.bodies);
@@ -122,6 +133,17 @@ void ReducedMotion::take(const Bodies<3>& bodies)
     written_x_ = bodies.x, written_u_ = bodies.u;
 }
 
+// (limits are those of the scene that a step is given)
+bool ReducedMotion::holds_as_given(const JointedScene& scene) const
+{
+    return std::equal(scene.joints.begin(), scene.joints.end(),
+                      joints_given_.begin(), joints_given_.end(),
+                      [](const PointJoint& is, const PointJoint& was) {
+                          const bool holds = was.kind == ConstraintKind::bilateral;
+                          return holds ? is == was : is.kind == was.kind;
+                      });
+}
+
 void ReducedMotion::follow(const JointedScene& scene)
 {
     checked(scene, filter);
@@ -130,8 +152,7 @@ void ReducedMotion::follow(const JointedScene& scene)
                                     shortest(restitution) +
                                     "; it must be from 0 to 1");
     const Bodies<3>& bodies = scene.bodies;
-    if (bodies.x.size() != written_x_.size() ||
-        scene.joints.size() != rows_given_ ||
+    if (bodies.x.size() != written_x_.size() || !holds_as_given(scene) ||
         bodies.inverse_mass !=
             parts_.tree.bodies.inverse_mass.head(bodies.x.size()))
         throw std::invalid_argument(
@@ -297,11 +318,8 @@ void ReducedMotion::find_near(const JointedScene& scene, Real h)
     const Bodies<3>& bodies = scene.bodies;
     near_.clear();
     if (!touches) return;
-    Real fastest = scene.gravity.norm() * h;
-    for (Index k = 0; k < bodies.count(); ++k)
-        fastest = std::max(fastest, bodies.velocity(k).head<2>().norm() +
-                                        std::abs(bodies.u[3 * k + 2]) * length_);
-    find_push_joints(scene, filter, 0.02 * length_ + 2 * h * fastest, near_);
+    find_push_joints(scene, filter,
+                     0.02 * length_ + closing_reach(scene, length_, h), near_);
     std::erase_if(near_, [&](const PushJoint& one) {  // limits that are far
         if (one.touches) return false;
         const Constraint<3> c = gap_of(one, bodies.x);

@@ -70,6 +70,8 @@ public:
 private:
     /// The door of each step; takes over what the caller has changed.
     void follow(const JointedScene& scene);
+    /// Whether its joints hold what the constructor's scene held.
+    bool holds_as_given(const JointedScene& scene) const;
     /// q and q̇ of places and velocities of the bodies.
     void take(const Bodies<3>& bodies);
     void require_fits(const VecX& v, const char* name) const;
@@ -121,7 +123,7 @@ private:
     std::vector<ReducedLink> links_;
     VecX q_, dq_, x_, u_, c_, motion_, f_;
     VecX written_x_, written_u_;  ///< of the bodies, at the end of the last step
-    std::size_t rows_given_ = 0;  ///< of joints, in the constructor's scene
+    std::vector<PointJoint> joints_given_;  ///< of the constructor's scene
     std::vector<PushJoint> near_;
     std::vector<VecX> answers_;  ///< H⁻¹ Jᵀ of each row
     Mlcp mlcp_;

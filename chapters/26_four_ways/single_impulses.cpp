@@ -26,7 +26,7 @@ void fly(const JointedScene& scene, Real t, VecX& x)
     const Bodies<3>& bodies = scene.bodies;
     x = bodies.x + t * bodies.u;
     for (Index k = 0; k < bodies.count(); ++k)
-        if (bodies.can_move(k)) x.segment<2>(3 * k) += t * t / 2 * scene.gravity;
+        x.segment<2>(3 * k) += t * t / 2 * free_acceleration(scene, k);
 }
 
 /// Moves them there. Returns false, and moves nothing, if that is out of all bounds.
@@ -38,7 +38,7 @@ bool fly(JointedScene& scene, Real t)
     Bodies<3>& bodies = scene.bodies;
     bodies.x = x;
     for (Index k = 0; k < bodies.count(); ++k)
-        if (bodies.can_move(k)) bodies.u.segment<2>(3 * k) += t * scene.gravity;
+        bodies.u.segment<2>(3 * k) += t * free_acceleration(scene, k);
     return true;
 }
 
@@ -50,10 +50,8 @@ Real closing_time(const JointedScene& scene, const PushJoint& push, Real t_end,
     const Constraint<3> c = gap_of(push, x0);
     const Row<3> row = bilateral(c, scene.bodies.inverse_mass);
     const Real v = row.velocity(u);
-    VecX a(u.size());
-    a.setZero();
-    for (Index k = 0; k < scene.bodies.count(); ++k)
-        if (scene.bodies.can_move(k)) a.segment<2>(3 * k) = scene.gravity;
+    VecX a;
+    free_accelerations(scene, a);
     // C + v t + ½ b t² = 0, then the way itself by halves around it
     const Real b = velocity_product(push.gap, x0, u) + row.velocity(a),
                C = std::max(Real{0}, c.C);
@@ -115,11 +113,8 @@ Status SingleImpulses::advance(JointedScene& scene, Real h)
     VecX x;
     for (int count = 0; left > 0; ++count) {
         if (count >= settings.most_collisions) return Status::iteration_limit;
-        Real fastest = scene.gravity.norm() * left;
-        for (Index k = 0; k < bodies.count(); ++k)
-            fastest = std::max(fastest, bodies.velocity(k).head<2>().norm() +
-                                            std::abs(bodies.u[3 * k + 2]) * length);
-        find_push_joints(scene, filter, 0.01 * length + 2 * fastest * left, near_);
+        find_push_joints(scene, filter,
+                         0.01 * length + closing_reach(scene, length, left), near_);
         Real first = infinity;
         const PushJoint* meets = nullptr;
         for (const PushJoint& push : near_) {

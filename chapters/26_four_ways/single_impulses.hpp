@@ -29,12 +29,14 @@ struct OneImpulse {
 /// \param A     of its rows n and t [1/kg]
 /// \param u     its velocities v_n, v_t before [m/s]
 /// \param v     wanted, at least u.n
-/// \throws std::invalid_argument  for a contact that nothing can move, and a μ below zero
+/// \throws std::invalid_argument  for a contact that nothing can move, a μ below zero, and what is not finite
 inline OneImpulse one_contact(const Eigen::Matrix<Real, 2, 2>& A,
                               const OneImpulse& u, Real mu, Real v)
 {
     require_positive({{"A_nn", A(0, 0)}});
     require_not_negative({{"μ", mu}, {"what the contact has to gain", v - u.n}});
+    if (!A.allFinite() || !std::isfinite(u.t))
+        throw std::invalid_argument("a contact's A or its v_t is not finite");
     const Real lift = v - u.n;
     if (!(mu > 0)) return {lift / A(0, 0), 0};
     // sticks: both rows at once

@@ -39,15 +39,17 @@ void SpringForces::rows(const JointedScene& scene, const StepSettings& settings,
             ratio = springs.friction_ratio;
             c.C = source.of == Source::Of::contact
                       ? stretch_of(
-                            now.contacts[static_cast<std::size_t>(source.index)])
+                            now.contacts[static_cast<std::size_t>(source.index)],
+                            source.part)
                       : 0;
         }
         // an open gap has its row, so that a spring at the end of the step meets what
         // comes; it has no damper, which would push before they touch
         const bool pushes = c.kind == ConstraintKind::unilateral;
         const bool open = pushes && c.C > 0;
-        c.stiffness = springs.stiffness;
-        if (c.Jb.head<2>().isZero(0)) c.stiffness *= now.length * now.length;
+        const bool turns = c.Jb.head<2>().isZero(0);
+        const Real unit = turns ? now.length * now.length : 1;
+        c.stiffness = springs.stiffness * unit;
         Real slope = c.stiffness;  // df/dC, what the end of the step meets
         if (springs.hertz > 0 && source.of == Source::Of::contact) {
             // a spring along a contact is as stiff as the one across it
@@ -56,8 +58,8 @@ void SpringForces::rows(const JointedScene& scene, const StepSettings& settings,
                       : c.C;
             const HertzSpring spring =
                 hertz_spring(springs.hertz, std::max(-gap, 1e-9 * now.length));
-            c.stiffness = drags ? spring.tangent : spring.secant;
-            slope = spring.tangent;
+            c.stiffness = unit * (drags ? spring.tangent : spring.secant);
+            slope = unit * spring.tangent;
         }
         c.damping = open ? 0 : 2 * ratio * std::sqrt(slope / A);
         row.softness = 1 / (h * (h * slope + c.damping));
@@ -67,11 +69,11 @@ void SpringForces::rows(const JointedScene& scene, const StepSettings& settings,
     }
 }
 
-Real SpringForces::stretch_of(const Contact& contact) const
+Real SpringForces::stretch_of(const Contact& contact, int part) const
 {
     for (const Stretch& one : stretched)
         if (one.a == contact.a && one.b == contact.b &&
-            one.feature == contact.feature)
+            one.feature == contact.feature && one.part == part)
             return one.s;
     return 0;
 }
@@ -83,8 +85,7 @@ void SpringForces::stretch(const VecX& u, Real h, const StepData<3>& now)
     for (std::size_t i = 0; i < now.rows.size(); ++i) {
         const Row<3>& row = now.rows[i];
         const Constraint<3>& c = now.constraints[i];
-        if (row.bounded_by < 0 || now.sources[i].of != Source::Of::contact ||
-            now.sources[i].part != tangent_part)
+        if (row.bounded_by < 0 || now.sources[i].of != Source::Of::contact)
             continue;
         const Contact& contact =
             now.contacts[static_cast<std::size_t>(now.sources[i].index)];
@@ -94,8 +95,9 @@ void SpringForces::stretch(const VecX& u, Real h, const StepData<3>& now)
         Real s = c.C + h * (row.velocity(u) - row.bias - c.speed);
         if (!(std::abs(lambda) < most))  // it slides: as long as its force says
             s = c.stiffness > 0 ? -lambda / (h * c.stiffness) : 0;
-        if (most > 0)
-            stretched.push_back({contact.a, contact.b, contact.feature, s});
+        if (!(most > 0)) continue;
+        stretched.push_back({contact.a, contact.b, contact.feature, s});
+        stretched.back().part = now.sources[i].part;
     }
 }
 

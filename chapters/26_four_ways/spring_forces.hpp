@@ -27,12 +27,12 @@ inline Real largest_stiffness(Real m, Real c, Real h)
     return (4 * m - 2 * c * h) / (h * h);
 }
 
-/// The longest step for a spring and its damper, from the same equation [s].
+/// The longest step for a spring and its damper, from the same equation, by the form of its root that subtracts nothing [s].
 inline Real largest_step(Real m, Real k, Real c)
 {
     require_positive({{"the mass", m}, {"the stiffness", k}});
     require_not_negative({{"the damper", c}});
-    return (std::sqrt(c * c + 4 * k * m) - c) / k;
+    return 4 * m / (c + hypot(c, 2 * std::sqrt(k) * std::sqrt(m)));
 }
 //! [limit]
 
@@ -87,10 +87,12 @@ inline Real hertz_time(Real m, Real K, Real v)
 //! [hertz]
 
 //! [stretch]
-/// How far a contact's point has moved along since it stuck, from step to step.
+/// How far a contact's point has moved along since it stuck, from step to step; and
+/// how far it has rolled since its moment held it.
 struct Stretch {
     Index a = world, b = 0, feature = 0;
-    Real s = 0;  ///< [m]
+    Real s = 0;               ///< [m], [rad]
+    int part = tangent_part;  ///< or rolling_part
 };
 //! [stretch]
 
@@ -117,7 +119,7 @@ struct SpringForces : PlainCorrection {
     }
 
 private:
-    Real stretch_of(const Contact& contact) const;
+    Real stretch_of(const Contact& contact, int part) const;
     void stretch(const VecX& u, Real h, const StepData<3>& now);
 };
 

@@ -42,7 +42,8 @@ struct OfTheBook : WayRun::Stepper {
     {
         step(scene, {.h = h}, method, now);
         if (!is_finite(scene)) return Status::iteration_limit;
-        return solves ? now.solution.status : Status::solved;
+        const bool has_rows = !now.active.empty() && !now.rows.empty();
+        return solves && has_rows ? now.solution.status : Status::solved;
     }
 };
 
