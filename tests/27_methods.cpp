@@ -229,6 +229,70 @@ TEST_CASE("a drag brakes what moves and moves no place of rest", "[idea]")
           Approx(-1.1).margin(1e-9));  // m g/k = 0.1 m, to ten times what Newton's method leaves
 }
 
+TEST_CASE("a drag takes the same part of a velocity by every method", "[idea]")
+{
+    for (int m = 0; m <= static_cast<int>(ClothMethod::exact); ++m) {
+        const auto method = static_cast<ClothMethod>(m);
+        ClothScene flies;
+        flies.gravity.setZero();
+        add_particle(flies, {0, 0, 0}, 1);
+        flies.bodies.u[0] = 1, flies.drag = 2;
+        ClothMemory memory;
+        ClothSettings how;
+        how.h = 0.001, how.method = method;
+        for (int n = 0; n < 500; ++n) step(flies, how, memory);
+        CAPTURE(to_string(method));
+        // 1/(1 + h d) a step is e^{-d t} to d² t h/2 = 0.001; the middle of the step, to its square
+        CHECK(flies.bodies.u[0] ==
+              Approx(rigid::exp(-1)).epsilon(method == ClothMethod::midpoint ? 1e-6 : 1.1e-3));
+    }
+}
+
+TEST_CASE("threads that forget their impulses get stiffer with their sweeps as rows do", "[idea]")
+{
+    const auto down = [](int sweeps, bool keep) {
+        ClothScene cloth = hung_masses(2, 100);
+        ClothMemory memory;
+        ClothSettings how;
+        how.h = 0.1, how.method = ClothMethod::threads, how.sweeps = sweeps, how.keep_lambda = keep;
+        step(cloth, how, memory);
+        return -cloth.bodies.x[7] - 2;
+    };
+    CHECK(down(20, true) == Approx(0.08).margin(1e-14));
+    CHECK(down(20, false) < 0.001);
+}
+
+TEST_CASE("a copy of exact rows solves its own system", "[house]")
+{
+    const ClothScene cloth = hung_masses(4, infinity);
+    const Real h = 0.01;
+    VecX y = cloth.bodies.x;
+    for (int k = 1; k <= 4; ++k) y[3 * k] += 0.01 * k;
+    ExactRows one;
+    one.prepare(cloth);
+    ExactRows copy = one;
+    one.prepare(hung_masses(1, infinity));  // what it has is another system now
+    VecX x = y;
+    copy.solve(cloth, y, h, x);
+    CHECK(copy.solved);
+    ExactRows fresh;
+    fresh.prepare(cloth);
+    VecX same = y;
+    fresh.solve(cloth, y, h, same);
+    CHECK(x == same);
+}
+
+TEST_CASE("a cloth that was pressed to a line goes on with another step", "[house]")
+{
+    ClothScene cloth = hung_sheet(2, 100, 0);
+    ClothMemory memory;
+    ClothSettings how;
+    step(cloth, how, memory);
+    cloth.bodies.position(4) = Vec3(cloth.bodies.position(0));  // of the first triangles
+    how.substeps = 2;
+    CHECK(refusal([&] { step(cloth, how, memory); }) == "nothing was refused");
+}
+
 TEST_CASE("threads beyond their limit are drawn back to it and keep their momentum", "[idea]")
 {
     ClothScene cloth = random_sheet(5);
@@ -255,20 +319,23 @@ TEST_CASE("threads beyond their limit are drawn back to it and keep their moment
 
 TEST_CASE("what a limit draws back is a velocity of the whole step", "[idea]")
 {
-    ClothScene cloth;
-    cloth.gravity.setZero();
-    add_particle(cloth, {0, 0, 0}, 1);
-    add_particle(cloth, {1.2, 0, 0}, 1);
-    cloth.springs.push_back({0, 1, 1, 1e-6});
-    ClothMemory memory;
-    ClothSettings how;
-    how.h = 0.1, how.substeps = 4, how.method = ClothMethod::threads, how.sweeps = 1;
-    how.strain_limit = 0.1;
-    step(cloth, how, memory);
-    // from 1.2 to nine tenths of the strain, half by each; the spring's own pull is 1e-8 m/s
-    CHECK(cloth.bodies.x[3] - cloth.bodies.x[0] == Approx(1.09).epsilon(1e-6));
-    CHECK(cloth.bodies.u[3] == Approx(-0.055 / 0.1).epsilon(1e-6));
-    CHECK(cloth.bodies.u[0] == Approx(0.055 / 0.1).epsilon(1e-6));
+    for (const ClothMethod method : {ClothMethod::threads, ClothMethod::midpoint}) {
+        ClothScene cloth;
+        cloth.gravity.setZero();
+        add_particle(cloth, {0, 0, 0}, 1);
+        add_particle(cloth, {1.2, 0, 0}, 1);
+        cloth.springs.push_back({0, 1, 1, 1e-6});
+        ClothMemory memory;
+        ClothSettings how;
+        how.h = 0.1, how.substeps = 4, how.method = method, how.sweeps = 1;
+        how.strain_limit = 0.1;
+        step(cloth, how, memory);
+        CAPTURE(to_string(method));
+        // from 1.2 to nine tenths of the strain, half by each; the spring's own pull is 1e-8 m/s
+        CHECK(cloth.bodies.x[3] - cloth.bodies.x[0] == Approx(1.09).epsilon(1e-6));
+        CHECK(cloth.bodies.u[3] == Approx(-0.055 / 0.1).epsilon(1e-6));
+        CHECK(cloth.bodies.u[0] == Approx(0.055 / 0.1).epsilon(1e-6));
+    }
 }
 
 TEST_CASE("what tears takes its triangles and bends along and falls apart", "[idea]")
@@ -397,6 +464,10 @@ TEST_CASE("a cloth that makes no sense is refused with a sentence", "[house]")
          "x[7] is nan; it must be a finite number");
     says([](ClothScene&, ClothSettings& s) { s.substeps = 0; },
          "the number of sub-steps is 0; it must be one or more");
+    says([](ClothScene&, ClothSettings& s) { s.limit_passes = -3; },
+         "the number of passes of a limit is -3; it must be zero or more");
+    says([](ClothScene&, ClothSettings& s) { s.limit_stiffness = std::nan(""); },
+         "the least stiffness that a limit holds is nan N/m; it must be zero or more");
     says([](ClothScene&, ClothSettings& s) { s.h = -1; },
          "the time step h is -1 s; it must be positive and finite");
     says([](ClothScene& c,

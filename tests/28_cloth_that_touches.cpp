@@ -591,6 +591,9 @@ TEST_CASE("a cloth that sleeps wakes for wind for its pins for a hand and for wh
     wakes([](TouchingCloth& c) { c.bodies.velocity(0) << 0.1, 0, 0; }, 1);
     wakes([](TouchingCloth& c) { c.bodies.velocity(20) << 0, 0, 1; }, 1);
     wakes([](TouchingCloth& c) { c.bodies.f[3 * 20] = 1; }, 1);
+    wakes([](TouchingCloth& c) { c.shapes[0].friction = 0.7; }, 1);
+    wakes([](TouchingCloth& c) { c.self_thickness = 0.01; }, 1);
+    CHECK_FALSE(SleepingCloth().asleep(3));  // before its first step
     // a ball of 0.2 m from 2 m off at 2 m/s: before a second has passed, and not at once
     int n = 0;
     SleepingCloth sleeping;

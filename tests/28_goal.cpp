@@ -252,6 +252,63 @@ TEST_CASE("bad numbers between two steps are refused and nothing moves", "[house
     says([=](TouchingCloth& c) { c.bodies.inverse_mass[19] = 0, ++c.changes; },
          "particle 6 has the inverse masses 20, 0 and 20 1/kg; the three must be the same");
     says([=](TouchingCloth& c) { c.solids.resize(2); }, "there are 1 shapes for 2 solids; each needs one");
+    says([=](TouchingCloth& c) { c.shapes[0].friction = -1; },
+         "the friction of solid 0 is -1; it must be zero or positive and finite");
+    says([=](TouchingCloth& c) { c.shapes[0].shape = ClothSolid::Shape::mesh; },
+         "solid 0 is a mesh without triangles; it needs a mesh");
+    says(
+        [=](TouchingCloth& c) {
+            c.ties.push_back({0, 0}), c.ties[0].at[2] = no_number;
+        },
+        "the place of tie 0 is not finite");
     says([=](TouchingCloth& c) { c.thickness = no_number; },
          "the thickness of the cloth is nan; it must be zero or positive and finite");
+}
+
+TEST_CASE("a solid that makes no sense is refused and leaves the cloth as it was", "[house]")
+{
+    using Shape = ClothSolid::Shape;
+    TouchingCloth cloth = catching_sheet(2, 500, 1, false, true);
+    const auto says = [&](const ClothSolid& shape, Real mass, const std::string& sentence) {
+        CHECK(refusal([&] { add_solid(cloth, shape, mass, {0, 0, 0}); }) == sentence);
+        CHECK(cloth.solids.count() == 1);
+        CHECK(cloth.shapes.size() == 1);
+    };
+    says({Shape::wall}, 1,
+         "the mass of a solid is 1 kg; a ball, a capsule or a box may have a positive one, and what cannot "
+         "move zero");
+    says({Shape::ball, {0, 0, 0}, 0.1}, infinity,
+         "the mass of a solid is inf; it must be zero or positive and finite");
+    says({Shape::ball, {0, 0, 0}, 0}, 1,
+         "the volume of the body in m³ is 0; it must be positive: a radius, or faces counterclockwise from "
+         "outside");
+    CHECK(refusal([&] { tie(cloth, 99, 0); }) == "a tie is of particle 99 and solid 0; there are 9 and 1");
+    const auto of = [](const ClothSolid& shape, const std::function<void(TouchingCloth&)>& spoil) {
+        TouchingCloth one;
+        add_solid(one, shape, 0, {0, 0, 0});
+        spoil(one);
+        return refusal([&] { require_valid(one); });
+    };
+    const auto nothing = [](TouchingCloth&) {};
+    CHECK(of({Shape::box, {1, 1, std::nan("")}, 0}, nothing) ==
+          "half the size of solid 0 is nan; it must be zero or positive and finite");
+    CHECK(of({Shape::ball, {0, 1, 0}, 0.5}, nothing) ==
+          "solid 0 has half a size of 1 m along y; that of a ball is zero, and of a capsule but along y");
+    CHECK(of({Shape::capsule, {0, 1, 2}, 0.5}, nothing) ==
+          "solid 0 has half a size of 2 m along z; that of a ball is zero, and of a capsule but along y");
+    CHECK(of({Shape::capsule, {0, 1, 0}, 0.5}, [](TouchingCloth& c) { c.solids.inverse_mass[4] = 2; }) ==
+          "solid 0 has the inverse masses 0, 0 and 0 1/kg; the three must be the same, and not zero if it "
+          "turns");
+}
+
+TEST_CASE("a grid of points that an unstable step has thrown beyond all numbers ends and has them all",
+          "[house]")
+{
+    for (const Real lost : {infinity, -infinity, std::nan("")}) {
+        PointGrid grid;
+        grid.fill({{0, 0, 0}, {1, 2, 3}, {lost, 0, 0}, {0, 1, lost}}, 0.1);
+        int seen = 0;
+        grid.near({-1, -1, -1}, {4, 4, 4}, [&](int) { ++seen; });
+        CHECK(seen == 4);
+    }
 }

@@ -49,11 +49,14 @@ void require_valid(const ClothSettings& s)
         throw std::invalid_argument("the number of sub-steps is " +
                                     std::to_string(s.substeps) +
                                     "; it must be one or more");
-    if (s.sweeps < 0 || s.limit_passes < 0)
-        throw std::invalid_argument(
-            "the number of sweeps is " +
-            std::to_string(std::min(s.sweeps, s.limit_passes)) +
-            "; it must be zero or more");
+    if (s.sweeps < 0)
+        throw std::invalid_argument("the number of sweeps is " +
+                                    std::to_string(s.sweeps) +
+                                    "; it must be zero or more");
+    if (s.limit_passes < 0)
+        throw std::invalid_argument("the number of passes of a limit is " +
+                                    std::to_string(s.limit_passes) +
+                                    "; it must be zero or more");
     if (!(s.pbd_share > 0 && s.pbd_share <= 1))
         throw std::invalid_argument("the share of a visit is " +
                                     shortest(s.pbd_share) +
@@ -63,6 +66,10 @@ void require_valid(const ClothSettings& s)
             throw std::invalid_argument("the limit of strain is " +
                                         shortest(strain) +
                                         "; it must be zero or more");
+    if (!(s.limit_stiffness >= 0))
+        throw std::invalid_argument("the least stiffness that a limit holds is " +
+                                    shortest(s.limit_stiffness) +
+                                    " N/m; it must be zero or more");
 }
 
 void ClothMemory::prepare(const ClothScene& cloth, const ClothSettings& settings)
@@ -77,7 +84,7 @@ void ClothMemory::prepare(const ClothScene& cloth, const ClothSettings& settings
     require_state(cloth);
     if (now == key_) return;
     // triangles had an area when the cloth was made; they need not keep it
-    if (key_.changes < 0 || now.changes == key_.changes) require_valid(cloth);
+    if (key_.changes < 0) require_valid(cloth);
     else require_rows(cloth);
     if (!takes_hard_rows(settings.method)) require_extensible(cloth);
     if (settings.method == ClothMethod::projective)
@@ -115,7 +122,7 @@ void ClothMemory::begin(ClothScene& cloth, const ClothSettings& settings)
 {
     Bodies<3>& bodies = cloth.bodies;
     const Real h = settings.part();
-    const bool middle = settings.method == ClothMethod::midpoint;
+    const Real way = settings.method == ClothMethod::midpoint ? h / 2 : h;
     x0 = bodies.x, u0 = bodies.u;
     force = bodies.f;
     if (cloth.air > 0) add_wind(cloth, force);
@@ -125,11 +132,10 @@ void ClothMemory::begin(ClothScene& cloth, const ClothSettings& settings)
         const Real w = bodies.inverse_mass[3 * k];
         if (!(w > 0)) continue;
         // drag takes of what it had, not of the forces: it moves no place of rest
-        bodies.velocity(k) /= 1 + h * cloth.drag;
-        bodies.velocity(k) +=
-            (middle ? h / 2 : h) * (cloth.gravity + w * force.segment<3>(3 * k));
+        bodies.velocity(k) /= 1 + way * cloth.drag;
+        bodies.velocity(k) += way * (cloth.gravity + w * force.segment<3>(3 * k));
     }
-    y = x0 + (middle ? h / 2 : h) * bodies.u;
+    y = x0 + way * bodies.u;
     bodies.x = y;
 }
 //! [begin]
@@ -151,6 +157,7 @@ void ClothMemory::sweep(const ClothScene& cloth, const ClothSettings& settings,
                         VecX& x)
 {
     const bool by_threads = settings.method == ClothMethod::threads;
+    if (by_threads && !settings.keep_lambda) threads.begin();
     if (by_threads) threads.sweep(cloth, settings.part(), x);
     rows.sweep(cloth, settings.part(), x, !by_threads);
 }
@@ -213,17 +220,16 @@ void ClothMemory::end(ClothScene& cloth, const ClothSettings& settings) const
 {
     Bodies<3>& bodies = cloth.bodies;
     const Real h = settings.part();
-    // what the limit draws back it does once a step, not once a sub-step
-    for (Index k = 0; k < bodies.count(); ++k)
-        if (bodies.inverse_mass[3 * k] > 0) {
-            const Vec3 back = drawn_back.segment<3>(3 * k);
-            bodies.velocity(k) =
-                (bodies.position(k) - back - x0.segment<3>(3 * k)) / h +
-                back / settings.h;
-        }
-    if (settings.method != ClothMethod::midpoint) return;
-    for (Index k = 0; k < bodies.count(); ++k)  // u ← 2 u − u₀, (27.15)
-        bodies.velocity(k) += bodies.velocity(k) - u0.segment<3>(3 * k);
+    const bool middle = settings.method == ClothMethod::midpoint;
+    for (Index k = 0; k < bodies.count(); ++k) {
+        auto u = bodies.velocity(k);
+        const Vec3 back = drawn_back.segment<3>(3 * k);
+        const bool moves = bodies.inverse_mass[3 * k] > 0;
+        if (moves) u = (bodies.position(k) - back - x0.segment<3>(3 * k)) / h;
+        if (middle) u += u - u0.segment<3>(3 * k);  // u ← 2 u − u₀, (27.15)
+        // what the limit draws back it does once a step, not once a sub-step
+        if (moves) u += back / settings.h;
+    }
 }
 //! [end]
 

@@ -59,7 +59,6 @@ void ExactRows::prepare(const ClothScene& cloth)
     system_.A.makeCompressed();
     system_.q.setZero(n);
     all_.assign(static_cast<std::size_t>(n), BoundState::between);
-    problem_.mlcp = &system_;
     problem_.shifted = false;
     problem_.diagonal.setConstant(n, -infinity);  // pivots of either sign
     factor_.analyse_pattern(system_);
@@ -158,6 +157,7 @@ void ExactRows::solve(const ClothScene& cloth, const VecX& y, Real h, VecX& x)
     const VecX& w = cloth.bodies.inverse_mass;
     const Index rows = 3 * free_;
     right_.resize(rows + lambda.size());
+    problem_.mlcp = &system_;  // its own, if this is a copy
     solved = false;
     for (steps = 0;; ++steps) {
         find_rows(cloth, x, h);

@@ -59,7 +59,9 @@ void PointGrid::fill(const std::vector<Vec3>& points, Real cell)
     Vec3 high = Vec3::Constant(-infinity);
     low_ = Vec3::Constant(infinity);
     for (const Vec3& p : points) low_ = low_.cwiseMin(p), high = high.cwiseMax(p);
-    const Vec3 size = points.empty() ? Vec3(0, 0, 0) : Vec3(high - low_);
+    Vec3 size = high - low_;
+    // no points, or some that an unstable step has thrown beyond all numbers: one cell
+    if (!size.allFinite()) low_.setZero(), size.setZero();
     // no more cells than four times the points
     cell_ = cell;
     const Real most = 4 * static_cast<Real>(points.size()) + 64;

@@ -57,11 +57,10 @@ private:
     int along(Real at, int k) const
     {
         const Real cells = (at - low_[k]) / cell_;
-        return cells <= 0
-                   ? 0
-                   : static_cast<int>(std::min(
-                         cells, static_cast<Real>(
-                                    count_[static_cast<std::size_t>(k)] - 1)));
+        return cells > 0 ? static_cast<int>(std::min(
+                               cells, static_cast<Real>(
+                                          count_[static_cast<std::size_t>(k)] - 1)))
+                         : 0;
     }
     std::size_t cell_of(int x, int y, int z) const
     {

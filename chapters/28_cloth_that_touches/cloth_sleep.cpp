@@ -26,11 +26,12 @@ std::size_t rows_of(const TouchingCloth& cloth)
            cloth.triangles.size();
 }
 
-std::array<Real, 9> air_of(const TouchingCloth& cloth)
+std::array<Real, 11> air_of(const TouchingCloth& cloth)
 {
-    return {cloth.gravity.x(), cloth.gravity.y(), cloth.gravity.z(),
-            cloth.wind.x(),    cloth.wind.y(),    cloth.wind.z(),
-            cloth.air,         cloth.drag,        cloth.thickness};
+    return {
+        cloth.gravity.x(), cloth.gravity.y(),    cloth.gravity.z(),  cloth.wind.x(),
+        cloth.wind.y(),    cloth.wind.z(),       cloth.air,          cloth.drag,
+        cloth.thickness,   cloth.self_thickness, cloth.self_friction};
 }
 
 /// A solid and where it comes to in a step lie in this box, in the world.
@@ -67,7 +68,9 @@ void SleepingCloth::wake()
 //! [parts]
 void SleepingCloth::find_parts(const TouchingCloth& cloth)
 {
-    require_valid(cloth);
+    // triangles had an area when the cloth was made; they need not keep it
+    if (changes_ < 0) require_valid(cloth);
+    else require_rows(cloth), require_touchable(cloth);
     const auto K = static_cast<std::size_t>(cloth.count());
     std::vector<int> root(K);
     std::iota(root.begin(), root.end(), 0);
@@ -117,7 +120,7 @@ void SleepingCloth::find_parts(const TouchingCloth& cloth)
         pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
     }
     anchor_ = x_ = cloth.bodies.x, f_ = cloth.bodies.f, solids_ = cloth.solids.x;
-    air_ = cloth_sleep::air_of(cloth);
+    air_ = cloth_sleep::air_of(cloth), shapes_ = cloth.shapes;
     changes_ = cloth.changes, rows_ = cloth_sleep::rows_of(cloth);
     stale_ = true;
 }
@@ -148,8 +151,10 @@ void SleepingCloth::look(const TouchingCloth& cloth, Real h)
 {
     if (cloth.changes != changes_ || cloth_sleep::rows_of(cloth) != rows_ ||
         cloth.bodies.x.size() != x_.size() ||
-        cloth.solids.x.size() != solids_.size())
+        cloth.solids.x.size() != solids_.size() ||
+        cloth.shapes.size() != shapes_.size())
         find_parts(cloth);
+    if (cloth.shapes != shapes_) wake(), shapes_ = cloth.shapes;
     if (cloth_sleep::air_of(cloth) != air_) wake();
     air_ = cloth_sleep::air_of(cloth);
     woken_.assign(parts_.size(), 0);
@@ -272,6 +277,14 @@ void SleepingCloth::give_back(TouchingCloth& cloth, const ClothSettings& setting
         if ((x - anchor_.segment<3>(3 * p)).squaredNorm() > still * still)
             part.rest = -infinity;  // until its anchors are set again below
     }
+    for (std::size_t k = 0; k < parts_.size(); ++k)  // triangles reach to pins
+        for (const int q : pins_[k])
+            if (Part& part = parts_[k]; !part.asleep) {
+                const Vec3 x = cloth.bodies.position(q);
+                part.box = joined(part.box, {x, x});
+                part.fastest =
+                    std::max(part.fastest, cloth.bodies.velocity(q).norm());
+            }
     for (Part& part : parts_)
         if (!part.asleep && !part.held) part.rest += settings.h;
     for (int p = 0; p < cloth.count(); ++p) {

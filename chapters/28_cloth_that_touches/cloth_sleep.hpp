@@ -32,7 +32,8 @@ public:
     int asleep() const;
     bool asleep(int particle) const
     {
-        const int k = part_of_[static_cast<std::size_t>(particle)];
+        const auto p = static_cast<std::size_t>(particle);
+        const int k = p < part_of_.size() ? part_of_[p] : -1;
         return k >= 0 && parts_[static_cast<std::size_t>(k)].asleep;
     }
 
@@ -60,7 +61,8 @@ private:
     int changes_ = -1;
     std::size_t rows_ = 0;
     VecX anchor_, x_, f_, solids_;  ///< as they were after the last step
-    std::array<Real, 9> air_{};
+    std::array<Real, 11> air_{};
+    std::vector<ClothSolid> shapes_;
     std::vector<char> woken_;
 };
 

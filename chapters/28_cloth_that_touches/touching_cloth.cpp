@@ -7,6 +7,45 @@
 
 namespace rigid {
 
+namespace touching_checks {
+
+void require_there(const TouchingCloth& cloth, int particle, int solid,
+                   const std::string& who)
+{
+    if (particle < 0 || particle >= cloth.count() || solid < 0 ||
+        solid >= cloth.solids.count())
+        throw std::invalid_argument(
+            who + " is of particle " + std::to_string(particle) + " and solid " +
+            std::to_string(solid) + "; there are " + std::to_string(cloth.count()) +
+            " and " + std::to_string(cloth.solids.count()));
+}
+
+/// A ball has no edges, and a capsule a straight part along y alone.
+void require_shape(const ClothSolid& s, const std::string& who)
+{
+    using Shape = ClothSolid::Shape;
+    require_not_negative(s.friction, "the friction of " + who);
+    require_not_negative(s.radius, "the radius of " + who);
+    for (int i = 0; i < 3; ++i) {
+        require_not_negative(s.half[i], "half the size of " + who);
+        if (s.half[i] > 0 &&
+            (s.shape == Shape::ball || (s.shape == Shape::capsule && i != 1)))
+            throw std::invalid_argument(
+                who + " has half a size of " + shortest(s.half[i]) + " m along " +
+                "xyz"[i] +
+                "; that of a ball is zero, and of a capsule but along y");
+    }
+    if ((s.shape == Shape::mesh) != (s.mesh != nullptr))
+        throw std::invalid_argument(
+            who + (s.shape == Shape::mesh
+                       ? " is a mesh without triangles; it needs a mesh"
+                       : " is no mesh; it must not have one"));
+}
+
+}  // namespace touching_checks
+
+using namespace touching_checks;
+
 void require_valid(const TouchingCloth& cloth)
 {
     require_valid(static_cast<const ClothScene&>(cloth));
@@ -22,26 +61,20 @@ void require_touchable(const TouchingCloth& cloth)
             std::to_string(cloth.solids.count()) + " solids; each needs one");
     for (std::size_t i = 0; i < cloth.shapes.size(); ++i) {
         const std::string who = "solid " + std::to_string(i);
-        require_not_negative(cloth.shapes[i].friction, "the friction of " + who);
-        require_not_negative(cloth.shapes[i].radius, "the radius of " + who);
-        require_not_negative(cloth.shapes[i].half.minCoeff(),
-                             "half the size of " + who);
-        const bool is_mesh = cloth.shapes[i].shape == ClothSolid::Shape::mesh;
-        if (is_mesh != (cloth.shapes[i].mesh != nullptr))
+        require_shape(cloth.shapes[i], who);
+        const auto w =
+            cloth.solids.inverse_mass.segment<6>(6 * static_cast<Index>(i));
+        if (w[1] != w[0] || w[2] != w[0] ||
+            (w[0] == 0 && w.tail<3>().maxCoeff() > 0))
             throw std::invalid_argument(
-                who + (is_mesh ? " is a mesh without triangles; it needs a mesh"
-                               : " is no mesh; it must not have one"));
+                who + " has the inverse masses " + shortest(w[0]) + ", " +
+                shortest(w[1]) + " and " + shortest(w[2]) +
+                " 1/kg; the three must be the same, and not zero if it turns");
     }
     for (std::size_t i = 0; i < cloth.ties.size(); ++i) {
         const ClothTie& t = cloth.ties[i];
         const std::string who = "tie " + std::to_string(i);
-        if (t.particle < 0 || t.particle >= cloth.count() || t.solid < 0 ||
-            t.solid >= cloth.solids.count())
-            throw std::invalid_argument(who + " is of particle " +
-                                        std::to_string(t.particle) + " and solid " +
-                                        std::to_string(t.solid) + "; there are " +
-                                        std::to_string(cloth.count()) + " and " +
-                                        std::to_string(cloth.solids.count()));
+        require_there(cloth, t.particle, t.solid, who);
         if (!t.at.allFinite())
             throw std::invalid_argument("the place of " + who + " is not finite");
     }
@@ -77,13 +110,10 @@ Vec3 momentum(const TouchingCloth& cloth)
 int add_solid(TouchingCloth& cloth, const ClothSolid& shape, Real mass,
               const Vec3& at, const Vec3& theta)
 {
-    const Index k = cloth.solids.count();
-    cloth.solids.resize(k + 1);
-    cloth.solids.position(k) << at, theta;
-    cloth.solids.inverse_mass.segment<6>(6 * k).setZero();
-    cloth.shapes.push_back(shape);
-    if (mass != 0) {
-        if (!(mass > 0) || shape.shape == ClothSolid::Shape::wall ||
+    require_not_negative(mass, "the mass of a solid");
+    Vec<6> inverse = Vec<6>::Zero();
+    if (mass > 0) {
+        if (shape.shape == ClothSolid::Shape::wall ||
             shape.shape == ClothSolid::Shape::mesh)
             throw std::invalid_argument(
                 "the mass of a solid is " + shortest(mass) +
@@ -98,14 +128,19 @@ int add_solid(TouchingCloth& cloth, const ClothSolid& shape, Real mass,
                 : Hull{{-shape.half, shape.half}, {}, shape.radius};
         const SolidMass solid = mass_of(hull, 1);
         const Vec3 I = mass / solid.mass * solid.inertia.diagonal();
-        cloth.solids.inverse_mass.segment<6>(6 * k) << Vec3::Constant(1 / mass),
-            I.cwiseInverse();
+        inverse << Vec3::Constant(1 / mass), I.cwiseInverse();
     }
+    const Index k = cloth.solids.count();
+    cloth.solids.resize(k + 1);
+    cloth.solids.position(k) << at, theta;
+    cloth.solids.inverse_mass.segment<6>(6 * k) = inverse;
+    cloth.shapes.push_back(shape);
     return static_cast<int>(k);
 }
 
 void tie(TouchingCloth& cloth, int particle, int solid)
 {
+    require_there(cloth, particle, solid, "a tie");
     const Mat3 axes = rotation_of(cloth.solids.x, solid);
     cloth.ties.push_back({particle, solid,
                           axes.transpose() * (cloth.bodies.position(particle) -

@@ -22,12 +22,16 @@ struct ClothSolid {
     Real friction = 0;  ///< μ
     /// of a mesh: its triangles have one side, to which particles are pushed
     std::shared_ptr<const TriangleMesh> mesh = nullptr;
+
+    bool operator==(const ClothSolid&) const = default;
 };
 
 /// A particle that is tied to a point of a solid.
 struct ClothTie {
     int particle = 0, solid = 0;
     Vec3 at = {0, 0, 0};  ///< in the solid's axes, from its centre [m]
+
+    bool operator==(const ClothTie&) const = default;
 };
 
 struct TouchingCloth : ClothScene {
@@ -53,10 +57,11 @@ Vec3 momentum(const TouchingCloth& cloth);
 
 /// A solid that the cloth may touch; mass zero: it cannot move but by its velocity.
 /// \param shape  its `half` as in ClothSolid
+/// \throws std::invalid_argument  for a mass that it cannot have, and leaves the cloth as it was
 int add_solid(TouchingCloth& cloth, const ClothSolid& shape, Real mass,
               const Vec3& at, const Vec3& theta = {0, 0, 0});
 
-/// Ties a particle to a solid at the place where it is.
+/// Ties a particle to a solid at the place where it is. Throws std::invalid_argument unless both are there.
 void tie(TouchingCloth& cloth, int particle, int solid);
 
 }  // namespace rigid

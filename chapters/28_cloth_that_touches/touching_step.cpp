@@ -21,8 +21,11 @@ void ClothTouching::prepare(const TouchingCloth& cloth)
     if (!cloth.solids.x.allFinite() || !cloth.solids.u.allFinite() ||
         !cloth.solids.f.allFinite())
         require_valid(cloth.solids);  // says which number
-    if (now == key_) return;
+    const bool same = now == key_;
+    if (same && cloth.shapes == shapes_ && cloth.ties == ties_) return;
     require_touchable(cloth);
+    shapes_ = cloth.shapes, ties_ = cloth.ties;
+    if (same) return;
     Real shortest_spring = infinity;
     for (const ClothSpring& s : cloth.springs)
         shortest_spring = std::min(shortest_spring, s.length);

@@ -42,6 +42,8 @@ private:
         Real thickness = 0, self_thickness = 0, self_friction = 0;
         bool operator==(const Key&) const = default;
     } key_;
+    std::vector<ClothSolid> shapes_;  ///< that have been looked at
+    std::vector<ClothTie> ties_;
 };
 //! [stage]
 
