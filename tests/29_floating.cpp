@@ -450,6 +450,76 @@ TEST_CASE("drag brakes a body against the water and never turns it round", "[ide
     }
 }
 
+TEST_CASE("what is under water is that of the shape a body has now", "[house]")
+{
+    WaterScene all = pond(80, 8, 1);
+    const Index k = add_floating_box(all, 0.03, 0.5, 2, 0.5, 0);
+    Floating floating, fresh;
+    floating.find(all.scene, all.water);
+    all.scene.shapes[static_cast<std::size_t>(k)] = box(2, 0.5);  // four corners as well
+    ShallowWater same = all.water;
+    floating.find(all.scene, all.water);
+    fresh.find(all.scene, same);
+    CHECK(floating.slices.size() == fresh.slices.size());
+    CHECK(all.water.level == same.level);
+    CHECK(floating.edges.size() == fresh.edges.size());
+}
+
+TEST_CASE("a body beyond the walls has no water on it", "[idea]")
+{
+    for (const Real x :
+         {-10.0, 10.0, -4.3, 4.3}) {  // the walls are at -4 m and 4 m; the last two stand across one
+        WaterScene all = pond(80, 8, 1);
+        const Index k = add_body(all.scene, box(1, 1), 500.0, {x, 0.5});
+        all.scene.bodies.velocity(k) << -3, 0, 0;
+        Floating floating;
+        floating.find(all.scene, all.water);
+        for (const WetEdge& edge : floating.edges) CHECK(std::abs(edge.middle.x()) <= 4);
+        CHECK(floating.edges.empty() == (std::abs(x) > 5));
+        floating.push(all.scene, all.water, 0.01);
+        if (std::abs(x) > 5) CHECK(all.scene.bodies.velocity(k) == Vec<3>(-3, 0, 0));
+    }
+}
+
+TEST_CASE("a step that is too long below a hull is refused before the first as before any other", "[house]")
+{
+    WaterScene all = pond(80, 8, 1);
+    add_floating_box(all, 0.03, 0.4, 10, 0.5, 0);
+    Floating floating;
+    floating.settings.lid = 0.95;
+    const Real h = 0.9 * stable_step(all.water);  // without the hull it would do
+    const VecX u = all.scene.bodies.u, depth = all.water.depth;
+    const std::string said = sentence_of([&] { take(all, floating, h, 1); });
+    CHECK(said.starts_with("the time step is " + shortest(h) + " s; a wave passes a whole cell in "));
+    CHECK(all.scene.bodies.u == u);
+    CHECK(all.water.depth == depth);
+}
+
+TEST_CASE("water moves alike in one window and in many after bodies have left it", "[house]")
+{
+    // as many columns as a window has, and more: the wave does not come so far
+    for (const Index cells : {Index{100}, Index{2000}}) {
+        ShallowWater used(cells, 0.1 * static_cast<Real>(cells), 1);
+        used.depth.head(20).setConstant(1.5);
+        ShallowWater plain = used;
+        used.part.setConstant(0.5);
+        for (int n = 0; n < 30; ++n) step(used, 0.01), step(plain, 0.01);
+        CHECK(used.depth == plain.depth);
+        CHECK(used.u == plain.u);
+    }
+}
+
+TEST_CASE("water that was given more columns has room for them", "[house]")
+{
+    ShallowWater grown(4, 4, 1), made(8, 8, 1);
+    for (VecX* const list : {&grown.bed, &grown.depth, &grown.level}) list->setZero(8);
+    grown.u.setZero(9), grown.part.setOnes(9);
+    grown.depth.setOnes(), made.depth[0] = grown.depth[0] = 1.2;
+    step(grown, 0.05), step(made, 0.05);
+    CHECK(grown.depth == made.depth);
+    CHECK(grown.u == made.u);
+}
+
 TEST_CASE("a boat a raft and a duck float upright on waves", "[idea]")
 {
     WaterScene all = pond(160, 20, 1.5);
@@ -575,6 +645,16 @@ TEST_CASE("water and floating bodies that make no sense are refused by name", "[
     CHECK(sentence_of([&] { require_valid(water); }) == "depth[2] is -1 m; it must be zero or positive");
     CHECK(
         sentence_of([] { dam_break(1, 2, 9.81, 0, 1); }).starts_with("a dam between depths of 1 m and 2 m"));
+    CHECK(sentence_of([] { dam_break(1, 0, -9.81, 0, 1); }) ==
+          "gravity is -9.81 m/s²; it must be positive and finite");
+    CHECK(sentence_of([] { dam_break(1, 0.1, 9.81, NAN, 1); }) ==
+          "a dam is looked at from x = nan m; it must be finite");
+    CHECK(row([](auto& w) { w.depth.resize(0), w.bed = w.level = w.depth, w.u.resize(1), w.part.resize(1); },
+              true) == "the water has 0 cells; it must have two or more");
+    CHECK(sentence_of([] {
+              WaterScene all = pond(80, 8, 1);
+              add_raft(all, 0, 0);
+          }) == "the raft has 0 planks; it must have one or more");
     CHECK(sentence_of([] { box_draught(1, 1.5); }) ==
           "the box has 1.5 of the water's density; it floats between 0 and 1");
     FloatSettings settings;
@@ -588,5 +668,8 @@ TEST_CASE("water and floating bodies that make no sense are refused by name", "[
     add_body(all.scene, box(2, 2), 900.0, {0, 0.2});
     Floating floating;
     floating.settings.lid = 0.95;
+    add_body(all.scene, box(0.2, 0.2), 900.0, {-3, 0.1});  // to the left of it, with water below
+    const VecX depth = all.water.depth;
     CHECK(sentence_of([&] { floating.displace(all.scene, all.water); }).starts_with("bodies displace "));
+    CHECK(all.water.depth == depth);
 }

@@ -308,6 +308,8 @@ TEST_CASE("a step of water on a plane asks for no memory and what makes no sense
         CHECK(plane([](auto& w) { w.u.conservativeResize(3); }, late) ==
               "u has 3 entries; water of 4 by 4 cells needs 20");
     }
+    CHECK(plane([](auto& w) { w.nx = w.ny = -4; }, true) ==
+          "the water has -4 by -4 cells; it must have one or more each way");
     WaterField still(4, 4, 1, 1);
     CHECK(sentence_of([&] { step(still, 1); }) ==
           "the time step is 1 s; a wave passes a whole cell in " + shortest(1 / std::sqrt(2 * 9.81)) + " s");

@@ -505,6 +505,27 @@ TEST_CASE("strings membranes and modes that make no sense are refused by name", 
           "the speed of its waves is nan m/s; it must be positive and finite");
     CHECK(string([](WaveLine& l) { l.v.conservativeResize(3); }, go) ==
           "the string has 5 places, 3 velocities and 5 dampings; they must be as many");
+    const auto shrink = [](WaveLine& l) { l.y.setZero(1), l.v = l.damping = l.y, l.left = LineEnd::free; };
+    CHECK(string(shrink, go) == "the string has 0 intervals; it must have two or more");
+    CHECK(string(shrink, turn) == "the string has 0 intervals; it must have two or more");
+    CHECK(string([](WaveLine& l) { l.c = infinity; }, turn) ==
+          "the speed of its waves is inf m/s; it must be positive and finite");
+    SpectralStep sines(WaveLine(4, 4, 1), 0.5, SpectralStep::Of::equation);
+    const auto sing = [&](WaveLine& line) { sines.step(line); };
+    CHECK(string([](WaveLine&) {}, sing) == "accepted");
+    CHECK(string([](WaveLine& l) { l.c = 2; }, sing) ==
+          "the string has 4 intervals of 1 m and waves of 2 m/s; the step was made for 4, 1 m and 1 m/s");
+    CHECK(string([](WaveLine& l) { l = WaveLine(8, 8, 1); }, sing) ==
+          "the string has 8 intervals of 1 m and waves of 1 m/s; the step was made for 4, 1 m and 1 m/s");
+    CHECK(string([](WaveLine& l) { l.right = LineEnd::free; }, sing) ==
+          "a spectral step in sines needs both ends of the string fixed");
+    CHECK(string([](WaveLine& l) { l.damping[2] = 3; }, sing).starts_with("damping[2] is 3 1/s; "));
+    CHECK(string([](WaveLine& l) { l.v.conservativeResize(3); }, sing) ==
+          "the string has 5 places, 3 velocities and 5 dampings; they must be as many");
+    CHECK(sentence_of([] {
+              VecX five = VecX::Ones(5);
+              SineTransform(8).apply(five);
+          }) == "a sine transform of 8 intervals has 5 numbers; it must have one more");
     Membrane skin(4, 4, 1, 1, true);
     skin.v[7] = infinity;
     CHECK(sentence_of([&] { start_leapfrog(skin, 0.5); }) == "v[7] is inf; it must be a finite number");
@@ -533,12 +554,39 @@ TEST_CASE("strings membranes and modes that make no sense are refused by name", 
     CHECK(sentence_of([&] { leapfrog(membrane, 0.8); }) ==
           "the time step is 0.8 s; a wave goes 0.8 intervals in it, and on a grid leapfrog is stable up to "
           "1/sqrt(2)");
+    for (const Real damping : {-3.0, static_cast<Real>(NAN)}) {
+        Membrane braked(4, 4, 1, 1, true);
+        braked.damping = damping;
+        CHECK(sentence_of([&] { leapfrog(braked, 0.5); }) ==
+              "the damping of the membrane is " + shortest(damping) +
+                  " 1/s; it must be zero or positive and finite");
+    }
+    membrane.nx = 0, membrane.ny = 24;
+    CHECK(sentence_of([&] { leapfrog(membrane, 0.5); }) ==
+          "the membrane has 0 by 24 intervals; it must have two or more each way");
     CHECK(sentence_of([] { lowest_modes(rectangle_stiffness(3, 3, 1, 1, 1), 2); }) ==
           "2 modes of a matrix of 4 rows and 4 columns; it must be square, and have three rows a mode");
     CHECK(sentence_of([] {
               StiffnessMatrix K = rectangle_stiffness(4, 4, 1, 1, 1);
               lowest_modes(StiffnessMatrix(-K), 1);
           }) == "the stiffness matrix is not positive definite");
+    for (const Real entry : {static_cast<Real>(NAN), infinity})
+        for (const int at : {3, 48})
+            CHECK(sentence_of([&] {
+                      StiffnessMatrix K = rectangle_stiffness(8, 8, 1, 1, 1);
+                      K.coeffRef(at, at) = entry;
+                      lowest_modes(K, 2);
+                  }) == "the stiffness matrix is not positive definite");
+    CHECK(sentence_of([] { lowest_modes(rectangle_stiffness(8, 8, 1, 1, 1), 2, 1e-10, 0); }) ==
+          "inverse iteration has 0 rounds; it must have one or more");
+    const Modes early = lowest_modes(rectangle_stiffness(8, 8, 1, 1, 1), 2, 1e-30, 5);
+    CHECK(early.rounds == 5);  // those that were made
+    CHECK_FALSE(early.solved);
+    Tank tank(4, 4, 1, 1, 9.81);
+    tank.level[1] = NAN;
+    CHECK(sentence_of([&] { tank.step(0.01); }) == "level[1] is nan; it must be a finite number");
+    tank.level.setZero(), tank.potential.setZero(3);
+    CHECK(sentence_of([&] { tank.step(0.01); }) == "potential has 3 entries; the tank has 4 cells along it");
     CHECK(sentence_of([] { Tank(1, 2, 1, 1, 1); }) ==
           "the tank has 1 by 2 cells; it must have two or more each way");
 }

@@ -414,8 +414,46 @@ TEST_CASE("what is inside out comes back", "[idea]")
     }
 }
 
+TEST_CASE("a load on an edge is the whole of it for quadratic meshes that were joined", "[house]")
+{
+    // corners of the second mesh have higher numbers than the middle nodes of the first
+    const ElasticMesh<2> left = rectangle_mesh({0, 0}, {1, 1}, 2, 2),
+                         right = rectangle_mesh({2, 0}, {1, 1}, 2, 2);
+    const auto loaded = [](const ElasticMesh<2>& mesh) {
+        ElasticBody<2> body(mesh, {});
+        add_edge_load(body, [](const Vec2& p) { return p.y() > 1 - 1e-9; }, {0, -3});
+        return body;
+    };
+    const ElasticBody<2> both = loaded(joined(quadratic(left), quadratic(right))),
+                         one = loaded(quadratic(left));
+    CHECK(both.load.head(one.load.size()) == one.load);  // of a mesh, whatever stands beside it
+    Real sum = 0;
+    for (int i = 0; i < both.model.nodes(); ++i) sum += both.load[2 * i + 1];
+    CHECK(sum == Approx(-3 * 2).epsilon(1e-14));  // 3 N/m on 2 m
+}
+
 TEST_CASE("bad meshes and materials are refused by a sentence", "[house]")
 {
+    CHECK(sentence_of([] { bar_mesh(1, -5); }) == "the elements of a mesh are -5; there must be 1 or more");
+    CHECK(sentence_of([] {
+              rectangle_mesh({0, 0}, {1, 1}, 3, 0);
+          }) == "the boxes along y of a mesh are 0; there must be 1 or more");
+    CHECK(sentence_of([] { ring_mesh(1, 2, 0, 3); }) ==
+          "the layers of a mesh are 0; there must be 1 or more");
+    CHECK(sentence_of([] {
+              disc_mesh({0, 0}, 1, 0);
+          }) == "the rings of a mesh are 0; there must be 1 or more");
+    CHECK(sentence_of([] { lattice_mesh(1, 1, 3); }) ==
+          "the columns of a mesh are 1; there must be 2 or more");
+    CHECK(sentence_of([] {
+              block_mesh({0, 0, 0}, {1, 1, 1}, 2, 2, -1);
+          }) == "the boxes along z of a mesh are -1; there must be 1 or more");
+    CHECK(sentence_of([] {
+              ball_mesh({0, 0, 0}, 1, 0, 0);
+          }) == "the shells of a mesh are 0; there must be 1 or more");
+    CHECK(sentence_of([] {
+              ball_mesh({0, 0, 0}, 1, -1, 1);
+          }) == "the quarterings of a mesh are -1; there must be 0 or more");
     const auto material = [](ElasticMaterial m) { return sentence_of([m] { require_valid(m); }); };
     CHECK(material({.poisson = 0.5}) == "Poisson's ratio is 0.5; it must be above -1 and below 1/2");
     CHECK(material({.poisson = -1}) == "Poisson's ratio is -1; it must be above -1 and below 1/2");

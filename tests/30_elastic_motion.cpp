@@ -210,7 +210,82 @@ TEST_CASE("a struck bar sounds at the tones of a free bar and damping takes the 
           "the freedom to listen to is -1; there are " + std::to_string(bar.x.size()));
     CHECK(sentence_of([&] { sound_of(bar, 6, ear, -1.0); }) ==
           "a sound of -1 s at 44100 samples a second; both must be positive");
+    CHECK(sentence_of([&] { sound_of(bar, 6, ear, 4000.0); }) ==
+          "a sound of 4000 s at 44100 samples a second; it must be of one sample at least, and below 3600 s");
+    CHECK(
+        sentence_of([&] { sound_of(bar, 6, ear, 1e-6); }) ==
+        "a sound of 1e-06 s at 44100 samples a second; it must be of one sample at least, and below 3600 s");
     CHECK(sentence_of([&] { write_wave(out, {}); }) == "a sound has no samples; it must have one");
+    CHECK(sentence_of([&] { write_wave(out, s, -5); }) ==
+          "a sound has -5 samples a second; it must have one or more");
+}
+
+TEST_CASE("what is damped so much that it creeps creeps by its closed form", "[idea]")
+{
+    // cosh and sinh of this step are infinite; of c much above 2ω the slower speed is −ω²/c
+    for (const Real omega : {1.0, 1e3})
+        for (const Real c : {1e5, 1e8, 1e12}) {
+            Real q = 1, v = 0;
+            swing(omega, c, 0, 0.5, q, v);
+            const Real slow = omega * omega / (c / 2 + std::sqrt(c * c / 4 - omega * omega)), fast = c - slow;
+            CHECK(q == Approx(fast / (fast - slow) * std::exp(-slow * 0.5)).epsilon(1e-12));
+            CHECK(v == Approx(-slow * q).epsilon(1e-12));
+        }
+}
+
+TEST_CASE("a force moves what hardly swings and is hardly damped as it moves what is free", "[idea]")
+{
+    // from rest: ½ f h² (1 − ch/3 − ω²h²/12), whatever the size of ω and c
+    const Real h = 1e-3, force = 9.81;
+    for (const Real omega : {0.0, 1e-9, 1e-7, 1e-4, 1e-2, 0.1, 0.2, 1.0})
+        for (const Real c : {0.0, 1e-20, 1e-10, 1e-4, 1e-2}) {
+            Real q = 0, v = 0;
+            swing(omega, c, force, h, q, v);
+            // where the two ways meet, at (ωh)²/2 = 1e-8, either is right to about that
+            CHECK(q / (force * h * h / 2) ==
+                  Approx(1 - c * h / 3 - omega * omega * h * h / 12).epsilon(2e-8));
+            CHECK(v / (force * h) == Approx(1 - c * h / 2).epsilon(1e-6));
+        }
+}
+
+TEST_CASE("a free body of its vibrations falls as far as all that fall", "[idea]")
+{
+    // ω of the three ways to move as a whole is what rounding leaves, anything from 0 to 1e-4 rad/s
+    for (const Real young : {1e2, 1e4, 1e6, 1e9})
+        for (const Real beta : {0.0, 1e-3}) {
+            ElasticBody<2> body(rectangle_mesh({0, 0}, {1, 0.5}, 4, 2),
+                                {.young = young, .law = StrainLaw::linear});
+            body.gravity = {0, -9.81};
+            body.stiffness_damping = beta;
+            ModalBody<2> modal(body, 10);
+            REQUIRE(modal.vibration.status == Status::solved);
+            for (int n = 0; n < 1000; ++n) modal.step(body, 1e-3);
+            // the second vibration of a body as a whole turns it by what the first ones miss, 1e-8
+            for (int i = 0; i < body.model.nodes(); ++i)
+                CHECK(body.x[2 * i + 1] - body.model.mesh().rest[2 * i + 1] ==
+                      Approx(-9.81 / 2).epsilon(1e-6));
+        }
+}
+
+TEST_CASE("a body by its vibrations refuses steps and bodies that are not its own", "[house]")
+{
+    ElasticBody<2> body = beam(0.1, 6), other = beam(0.1, 5);
+    ModalBody<2> modal(body, 3);
+    const VecX before = body.x;
+    CHECK(sentence_of([&] { modal.step(body, NAN); }) ==
+          "the time step h is nan s; it must be positive and finite");
+    const std::string said = "the body has " + std::to_string(other.x.size()) +
+                             " freedoms; its vibrations are those of one of " + std::to_string(body.x.size());
+    CHECK(sentence_of([&] { modal.step(other, 0.01); }) == said);
+    CHECK(sentence_of([&] { modal.take(other); }) == said);
+    body.load[3] = NAN;
+    CHECK(sentence_of([&] { modal.step(body, 0.01); }) == "load[3] is nan; it must be a finite number");
+    body.fixed.resize(4);
+    CHECK(sentence_of([&] { vibrations_of(body, 2); }).starts_with("load[3] is nan"));
+    body.load[3] = 0;
+    CHECK(sentence_of([&] { vibrations_of(body, 2); }) ==
+          "fixed has 4 entries; the mesh has " + std::to_string(body.x.size()));
+    CHECK(body.x == before);
 }
 
 TEST_CASE("one freedom swings by its closed form whatever the damping", "[idea]")
@@ -517,6 +592,50 @@ TEST_CASE("a box on a soft column presses it by m g H over E A", "[idea]")
         if (contacts.rows[i].rigid.bounded_by < 0)
             weight += contacts.solution.lambda[static_cast<Index>(i)] * 60;
     CHECK(weight == Approx(98.1).epsilon(1e-3));
+}
+
+TEST_CASE("nodes that are held in a wall or in a fixed body are no contact", "[idea]")
+{
+    // no λ moves them, so a row that asks for it has no answer: the floor is where the bed is bolted
+    for (const bool is_wall : {true, false})
+        for (const Real sink : {0.0, 0.02}) {
+            // an edge that goes deep into a body is met above its node, where it may move
+            if (!is_wall && sink > 0) continue;
+            ElasticScene scene(ElasticBody<2>(rectangle_mesh({0, -sink}, {1, 0.5}, 4, 2), {.young = 1e5}));
+            scene.elastic.gravity = scene.gravity;
+            for (int i = 0; i < scene.elastic.model.nodes(); ++i)
+                if (scene.elastic.at(i).y() < 1e-9 - sink) scene.elastic.hold(i);
+            ElasticBody<2> alone = scene.elastic;
+            if (is_wall) scene.walls.push_back({{0, 1}, 0});
+            else add_body(scene, box(4, 1), Mass{0, {0, 0}, 0}, {0.5, -0.5});
+            ElasticContacts contacts;
+            ElasticSolver<2> solver;
+            for (int n = 0; n < 3; ++n) {
+                contacts.step(scene, 0.01);
+                solver.step(alone, 0.01);
+                CHECK(contacts.report.status == Status::solved);
+            }
+            // to the tolerances of both, 1e-8 and 1e-9 of an edge of 0.25 m
+            CHECK((scene.elastic.x - alone.x).cwiseAbs().maxCoeff() < 1e-8);
+        }
+}
+
+TEST_CASE("a step with contacts counts the iterations that it made and refuses what it has not", "[house]")
+{
+    ElasticScene scene = strip_scene(StrainLaw::corotational, 1e3, 1);
+    ElasticContacts contacts;
+    contacts.most = 1;
+    contacts.step(scene, 0.1);
+    CHECK(contacts.report.iterations == 1);
+    CHECK(contacts.report.status == Status::iteration_limit);
+    const VecX before = scene.elastic.x;
+    contacts.most = 0;
+    CHECK(sentence_of([&] { contacts.step(scene, 0.1); }) ==
+          "the number of iterations of an elastic scene is at most 0; it must be positive");
+    contacts.most = 12, contacts.solver.settings.rule = TimeRule::implicit_midpoint;
+    CHECK(sentence_of([&] { contacts.step(scene, 0.1); }) ==
+          "contacts of an elastic body are those of implicit Euler; choose TimeRule::implicit_euler");
+    CHECK(scene.elastic.x == before);
 }
 
 TEST_CASE("forces on rigid bodies move and turn them beside an elastic one", "[house]")

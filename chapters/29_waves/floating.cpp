@@ -43,14 +43,15 @@ void FloatSettings::require_valid() const
 void Floating::place_outlines(const RigidScene& scene)
 {
     const auto K = static_cast<std::size_t>(scene.bodies.count());
-    own_.resize(K), placed_.resize(K), sized_.resize(K), radius_.resize(K, -1);
+    own_.resize(K), placed_.resize(K), made_of_.resize(K);
     for (std::size_t k = 0; k < K; ++k) {
         const Polygon& shape = scene.shapes[k];
-        if (sized_[k] != shape.vertices.size() || radius_[k] != shape.radius) {
+        Polygon& known = made_of_[k];
+        if (known.vertices != shape.vertices || known.radius != shape.radius) {
             own_[k] = shape.radius > 0
                           ? rounded_outline(shape.vertices, shape.radius)
                           : shape.vertices;
-            sized_[k] = shape.vertices.size(), radius_[k] = shape.radius;
+            known = shape;
         }
         const Vec<3> at = scene.bodies.position(static_cast<Index>(k));
         const Real c = cos(at[2]), s = sin(at[2]);
@@ -154,14 +155,16 @@ void Floating::displace(const RigidScene& scene, ShallowWater& water)
                 "bodies displace " + shortest(displaced) + " m of the " +
                 shortest(water.depth[i]) + " m of water at x = " +
                 shortest(water.x_of(i)) + " m; some must be left");
-        water.depth[i] -= displaced;
     }
+    for (Index i = 0; i < water.cells(); ++i)
+        water.depth[i] -= settings.lid * under_[i];
 }
 
 void Floating::find_edges(const RigidScene& scene, const ShallowWater& water)
 {
     edges.clear();
     wet_length_.setZero(scene.bodies.count());
+    const Real end = water.origin + water.dx * static_cast<Real>(water.cells());
     for (Index k = 0; k < scene.bodies.count(); ++k) {
         const std::vector<Vec2>& outline = placed_[static_cast<std::size_t>(k)];
         for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -181,6 +184,8 @@ void Floating::find_edges(const RigidScene& scene, const ShallowWater& water)
                 };
                 if (first != last)
                     keep(a.x() - x, d.x()), keep(x + water.dx - a.x(), -d.x());
+                else  // beyond the walls is no water
+                    keep(a.x() - water.origin, d.x()), keep(end - a.x(), -d.x());
                 keep(water.level[cell] - a.y(), -d.y());
                 const Real length = (to - from) * d.norm();
                 if (!(length > 0)) continue;

@@ -51,7 +51,7 @@ public:
     void find(const RigidScene& scene, ShallowWater& water);
 
     /// Takes out the water that bodies displace, so that its levels are those that it had without them.
-    /// Throws std::invalid_argument where a hull leaves no water below it.
+    /// Throws std::invalid_argument, before any is taken, where a hull leaves no water below it.
     void displace(const RigidScene& scene, ShallowWater& water);
 
     /// Drag brakes one against the other, then slopes push the water (push_water()) and the bodies.
@@ -69,8 +69,7 @@ private:
     void drag(RigidScene& scene, ShallowWater& water, Real h) const;
 
     std::vector<std::vector<Vec2>> own_, placed_;  ///< outlines, of each body
-    std::vector<std::size_t> sized_;               ///< vertices when they were made
-    std::vector<Real> radius_;
+    std::vector<Polygon> made_of_;                 ///< the shapes that `own_` is of
     std::vector<Vec2> strip_, half_, wet_;
     Polygon memory_;
     VecX under_, width_;  ///< b and its derivative with η, of each cell

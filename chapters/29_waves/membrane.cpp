@@ -25,6 +25,14 @@ void for_each_pull(const Membrane& m, Index j, const Visit& visit)
     if (edge == 0) visit(last, 2 * (row[last - 1] - row[last]) + across(last));
 }
 
+void require_intervals(const Membrane& m)
+{
+    if (m.nx < 2 || m.ny < 2)
+        throw std::invalid_argument(
+            "the membrane has " + std::to_string(m.nx) + " by " +
+            std::to_string(m.ny) + " intervals; it must have two or more each way");
+}
+
 Real stiffness(const Membrane& m) { return m.c * m.c / (m.dx * m.dx); }
 
 }  // namespace
@@ -32,16 +40,14 @@ Real stiffness(const Membrane& m) { return m.c * m.c / (m.dx * m.dx); }
 Membrane::Membrane(Index nx_, Index ny_, Real interval, Real speed, bool fixed)
     : nx(nx_), ny(ny_), dx(interval), c(speed), fixed_edges(fixed)
 {
-    if (nx < 2 || ny < 2)
-        throw std::invalid_argument(
-            "the membrane has " + std::to_string(nx) + " by " + std::to_string(ny) +
-            " intervals; it must have two or more each way");
+    require_intervals(*this);
     y = v = VecX::Zero((nx + 1) * (ny + 1));
     require_valid(*this);
 }
 
 void require_valid(const Membrane& m)
 {
+    require_intervals(m);
     require_positive("the interval of the membrane", m.dx, " m");
     require_positive("the wave speed of the membrane", m.c, " m/s");
     if (!(m.damping >= 0) || !std::isfinite(m.damping))
@@ -75,7 +81,8 @@ void leapfrog(Membrane& m, Real h)
 {
     require_step(h);
     const Index points = (m.nx + 1) * (m.ny + 1);
-    if (!(m.c > 0 && m.dx > 0 && m.y.size() == points && m.v.size() == points))
+    if (!(m.nx > 1 && m.ny > 1 && m.c > 0 && m.dx > 0 && m.damping >= 0 &&
+          m.damping < infinity && m.y.size() == points && m.v.size() == points))
         require_valid(m);
     const Real C = m.c * h / m.dx;
     if (2 * C * C > 1 + 1e-12)

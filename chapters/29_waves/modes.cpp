@@ -105,9 +105,16 @@ Modes lowest_modes(const StiffnessMatrix& K, Index count, Real tolerance,
             " rows and " + std::to_string(K.cols()) +
             " columns; it must be square, and have three rows a mode");
     const Eigen::SimplicialLDLT<StiffnessMatrix> factor(K);
-    if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0))
+    bool definite = factor.info() == Eigen::Success;
+    for (Index i = 0; definite && i < n; ++i)  // one by one: NaN is not positive
+        definite = factor.vectorD()[i] > 0 && factor.vectorD()[i] < infinity;
+    if (!definite)
         throw std::invalid_argument(
             "the stiffness matrix is not positive definite");
+    if (most_rounds < 1)
+        throw std::invalid_argument("inverse iteration has " +
+                                    std::to_string(most_rounds) +
+                                    " rounds; it must have one or more");
     // some more than asked for: the error of the last shrinks by ω²_last / ω²_next
     const Index width = std::min(n, count + 4);
     MatX X(n, width);
@@ -115,7 +122,8 @@ Modes lowest_modes(const StiffnessMatrix& K, Index count, Real tolerance,
     for (Index j = 0; j < width; ++j)
         for (Index i = 0; i < n; ++i) X(i, j) = random.uniform(-1, 1);
     Modes modes;
-    for (modes.rounds = 1; modes.rounds <= most_rounds; ++modes.rounds) {
+    while (!modes.solved && modes.rounds < most_rounds) {
+        ++modes.rounds;
         X = factor.solve(X).eval();
         for (Index j = 0; j < width; ++j) {  // Gram-Schmidt, twice
             for (int again = 0; again < 2; ++again)
@@ -133,10 +141,7 @@ Modes lowest_modes(const StiffnessMatrix& K, Index count, Real tolerance,
             modes.residual = std::max(modes.residual,
                                       off.col(j).norm() / solver.eigenvalues()[j]);
         modes.omega = solver.eigenvalues().head(count).cwiseSqrt();
-        if (modes.residual <= tolerance) {
-            modes.solved = true;
-            break;
-        }
+        modes.solved = modes.residual <= tolerance;
     }
     modes.shapes = X.leftCols(count);
     return modes;

@@ -34,7 +34,8 @@ struct Modes {
 
 /// The lowest modes of a symmetric positive definite K.
 /// \param count  how many, at most a third of the rows
-/// Throws std::invalid_argument for a count that is not positive or too large, and for a K that is not positive definite.
+/// Throws std::invalid_argument for a count that is not positive or too large, fewer than one round, and for a K that is
+/// not positive definite.
 Modes lowest_modes(const StiffnessMatrix& K, Index count, Real tolerance = 1e-10,
                    int most_rounds = 500);
 

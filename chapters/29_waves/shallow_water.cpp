@@ -8,6 +8,13 @@
 namespace rigid {
 namespace {
 
+void require_cells(Index cells)
+{
+    if (cells < 2)
+        throw std::invalid_argument("the water has " + std::to_string(cells) +
+                                    " cells; it must have two or more");
+}
+
 Real mean_depth(const ShallowWater& water, Index face)
 {
     return (water.depth[face - 1] + water.depth[face]) / 2;
@@ -24,7 +31,7 @@ constexpr int beside = 3;
 void require_fits(ShallowWater& water, Real h)
 {
     const Index n = water.cells();
-    const bool sized = water.looked_at && water.dx > 0 && water.g > 0 &&
+    const bool sized = water.looked_at && n > 1 && water.dx > 0 && water.g > 0 &&
                        water.bed.size() == n && water.level.size() == n &&
                        water.u.size() == n + 1 && water.part.size() == n + 1 &&
                        (water.damping.size() == 0 || water.damping.size() == n + 1);
@@ -41,9 +48,7 @@ void require_fits(ShallowWater& water, Real h)
 
 ShallowWater::ShallowWater(Index cells, Real length, Real still_depth)
 {
-    if (cells < 2)
-        throw std::invalid_argument("the water has " + std::to_string(cells) +
-                                    " cells; it must have two or more");
+    require_cells(cells);
     if (!(length > 0) || !std::isfinite(length))
         throw std::invalid_argument(
             "the water is " + shortest(length) +
@@ -73,6 +78,7 @@ void require_valid(const ShallowWater& water)
     require_positive("gravity", water.g, " m/s²");
     require_positive("the density of the water", water.density, " kg/m²");
     const Index n = water.cells();
+    require_cells(n);
     const auto sized = [n](const VecX& v, Index wanted, const char* name) {
         if (v.size() != wanted)
             throw std::invalid_argument(std::string(name) + " has " +
@@ -153,6 +159,7 @@ void carry_water(ShallowWater& water, Real h)
 {
     const Index n = water.cells();
     const Real lambda = h / water.dx;
+    water.flux.resize(n + 1), water.carried.resize(n + 1), water.giving.resize(n);
     Real *__restrict r = water.depth.data(), *__restrict u = water.u.data(),
                      *__restrict q = water.flux.data(),
                      *__restrict P = water.carried.data(),
@@ -200,6 +207,7 @@ void step(ShallowWater& water, Real h)
     require_fits(water, h);
     const Index n = water.cells(), size = window_cells + 2 * beside;
     if (n <= size) {
+        water.part.setOnes();
         level_water(water), push_water(water, h), carry_water(water, h);
         level_water(water);
         return;
@@ -241,6 +249,10 @@ DamBreak dam_break(Real left, Real right, Real g, Real x, Real t)
             shortest(right) + " m is looked at after " + shortest(t) +
             " s; the left one must be larger, the right one zero or more, and the "
             "time positive");
+    require_positive("gravity", g, " m/s²");
+    if (!std::isfinite(x))
+        throw std::invalid_argument("a dam is looked at from x = " + shortest(x) +
+                                    " m; it must be finite");
     const Real c = std::sqrt(g * left), s = x / t;
     // the fan: u + 2√(gr) is that of the water at rest, and u − √(gr) = x/t
     const auto fan = [&] {

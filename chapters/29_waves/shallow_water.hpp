@@ -41,7 +41,7 @@ struct ShallowWater {
     bool looked_at = false;  ///< memory of step(): it was valid as a whole
 
     /// Level water of this depth over a level bed, between two walls.
-    /// Throws std::invalid_argument for no cells, a length that is not positive, a depth that is negative.
+    /// Throws std::invalid_argument for fewer than two cells, a length that is not positive, a depth that is negative.
     ShallowWater(Index cells, Real length, Real still_depth);
 
     Index cells() const { return depth.size(); }
@@ -76,7 +76,7 @@ void carry_water(ShallowWater& water, Real h);
 /// η = bed + r, where no body floats.
 void level_water(ShallowWater& water);
 
-/// One whole step of water without bodies (`part` is 1). Throws std::invalid_argument, before anything changes, for a step
+/// One whole step of water without bodies (`part` becomes 1). Throws std::invalid_argument, before anything changes, for a step
 /// that is not positive or beyond stable_step(), and for water that is not valid: the first step looks at all of it, those
 /// after it at sizes, depths and speeds.
 void step(ShallowWater& water, Real h);
@@ -88,7 +88,7 @@ struct DamBreak {
 
 /// A dam at x = 0 breaks at t = 0; at rest the water is `left` deep behind it and `right` < `left` before it. On a dry bed
 /// (right = 0) it is Ritter's solution of 1892, (29.22), else Stoker's of 1957, with a bore.
-/// Throws std::invalid_argument unless 0 ≤ right < left and t > 0.
+/// Throws std::invalid_argument unless 0 ≤ right < left, g > 0 and t > 0, and x is a number.
 DamBreak dam_break(Real left, Real right, Real g, Real x, Real t);
 
 }  // namespace rigid

@@ -6,6 +6,23 @@
 #include <utility>
 
 namespace rigid {
+namespace {
+
+void require_sines(const WaveLine& line)
+{
+    if (line.left != LineEnd::fixed || line.right != LineEnd::fixed)
+        throw std::invalid_argument(
+            "a spectral step in sines needs both ends of the string fixed");
+    for (Index i = 0; i < line.damping.size(); ++i)
+        if (line.damping[i] != 0)
+            throw std::invalid_argument(
+                "damping[" + std::to_string(i) + "] is " +
+                shortest(line.damping[i]) +
+                " 1/s; a spectral step needs zero: where it "
+                "differs from place to place, sines mix");
+}
+
+}  // namespace
 
 SineTransform::SineTransform(Index intervals) : N_(intervals)
 {
@@ -24,6 +41,10 @@ SineTransform::SineTransform(Index intervals) : N_(intervals)
 //! [sine_transform]
 void SineTransform::apply(VecX& values)
 {
+    if (values.size() != N_ + 1)
+        throw std::invalid_argument(
+            "a sine transform of " + std::to_string(N_) + " intervals has " +
+            std::to_string(values.size()) + " numbers; it must have one more");
     // the sines of y are the Fourier transform of y and its mirror, −y
     const auto n = static_cast<std::size_t>(2 * N_);
     work_[0] = work_[n / 2] = 0;
@@ -57,20 +78,11 @@ void SineTransform::apply(VecX& values)
 //! [sine_transform]
 
 SpectralStep::SpectralStep(const WaveLine& line, Real h, Of of)
-    : transform_(line.intervals())
+    : transform_(line.intervals()), c_(line.c), dx_(line.dx)
 {
     require_step(h);
     require_valid(line);
-    if (line.left != LineEnd::fixed || line.right != LineEnd::fixed)
-        throw std::invalid_argument(
-            "a spectral step in sines needs both ends of the string fixed");
-    for (Index i = 0; i < line.damping.size(); ++i)
-        if (line.damping[i] != 0)
-            throw std::invalid_argument(
-                "damping[" + std::to_string(i) + "] is " +
-                shortest(line.damping[i]) +
-                " 1/s; a spectral step needs zero: where it "
-                "differs from place to place, sines mix");
+    require_sines(line);
     const Index N = line.intervals();
     cosine_ = sine_ = omega_ = VecX::Zero(N + 1);
     for (Index i = 1; i < N; ++i) {
@@ -86,6 +98,14 @@ SpectralStep::SpectralStep(const WaveLine& line, Real h, Of of)
 void SpectralStep::step(WaveLine& line)
 {
     const Index N = transform_.intervals();
+    if (line.v.size() != line.y.size()) require_valid(line);
+    if (line.intervals() != N || line.dx != dx_ || line.c != c_)
+        throw std::invalid_argument(
+            "the string has " + std::to_string(line.intervals()) +
+            " intervals of " + shortest(line.dx) + " m and waves of " +
+            shortest(line.c) + " m/s; the step was made for " + std::to_string(N) +
+            ", " + shortest(dx_) + " m and " + shortest(c_) + " m/s");
+    require_sines(line);
     transform_.apply(line.y);
     transform_.apply(line.v);
     for (Index k = 1; k < N; ++k) {  // (29.19)

@@ -21,6 +21,7 @@ public:
     explicit SineTransform(Index intervals);
 
     /// a_k = Σ_i y_i sin(π i k / N), in place; twice gives N/2 times what was there. N + 1 numbers, the ends become zero.
+    /// Throws std::invalid_argument for another number of them.
     void apply(VecX& values);
 
     Index intervals() const { return N_; }
@@ -41,11 +42,13 @@ public:
     /// intervals that is no power of two.
     SpectralStep(const WaveLine& line, Real h, Of of);
 
-    /// h later; places and velocities are of one time.
+    /// h later; places and velocities are of one time. Throws std::invalid_argument for a string of other intervals, speed,
+    /// ends or damping than it was made for.
     void step(WaveLine& line);
 
 private:
     SineTransform transform_;
+    Real c_, dx_;  ///< of the string
     VecX cosine_, sine_, omega_;
 };
 

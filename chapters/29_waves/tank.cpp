@@ -64,6 +64,15 @@ void Tank::step(Real h)
         throw std::invalid_argument("the time step is " + shortest(h) +
                                     " s; the tank is stable up to " +
                                     shortest(stable_step()) + " s");
+    for (const auto& [list, name] :
+         {std::pair{&level, "level"}, {&potential, "potential"}}) {
+        if (list->size() != nx_)
+            throw std::invalid_argument(std::string(name) + " has " +
+                                        std::to_string(list->size()) +
+                                        " entries; the tank has " +
+                                        std::to_string(nx_) + " cells along it");
+        require_finite(*list, name);
+    }
     potential -= h * g_ * level;
     vertical_speed(potential, speed_);
     level += h * speed_;

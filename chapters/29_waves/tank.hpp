@@ -22,7 +22,8 @@ public:
     Tank(Index nx, Index nz, Real length, Real depth, Real g);
 
     /// Leapfrog: φ ← φ − h g η, then η ← η + h ∂φ/∂z.
-    /// Throws std::invalid_argument for a step that is not positive or longer than stable_step().
+    /// Throws std::invalid_argument for a step that is not positive or longer than stable_step(), and for a level or
+    /// potential that is not finite or not nx long.
     void step(Real h);
 
     /// 2 / √(g 2/Δz): no wave of the grid has more than ω² = g · 2/Δz [s].

@@ -8,13 +8,22 @@
 
 namespace rigid {
 
+namespace {
+
+void require_cells(const WaterField& water)
+{
+    if (water.nx < 1 || water.ny < 1)
+        throw std::invalid_argument("the water has " + std::to_string(water.nx) +
+                                    " by " + std::to_string(water.ny) +
+                                    " cells; it must have one or more each way");
+}
+
+}  // namespace
+
 WaterField::WaterField(Index nx_, Index ny_, Real width, Real still_depth)
     : nx(nx_), ny(ny_), dx(width)
 {
-    if (nx < 1 || ny < 1)
-        throw std::invalid_argument("the water has " + std::to_string(nx) + " by " +
-                                    std::to_string(ny) +
-                                    " cells; it must have one or more each way");
+    require_cells(*this);
     if (!(still_depth >= 0) || !std::isfinite(still_depth))
         throw std::invalid_argument("the depth of the water is " +
                                     shortest(still_depth) +
@@ -28,6 +37,7 @@ WaterField::WaterField(Index nx_, Index ny_, Real width, Real still_depth)
 
 void require_valid(const WaterField& water)
 {
+    require_cells(water);
     require_positive("the width of a cell", water.dx, " m");
     require_positive("gravity", water.g, " m/s²");
     require_positive("the density of the water", water.density, " kg/m³");
@@ -123,10 +133,10 @@ namespace {
 void require_fits(WaterField& water, Real h)
 {
     const Index cells = water.nx * water.ny;
-    const bool sized = water.looked_at && water.dx > 0 && water.g > 0 &&
-                       water.bed.size() == cells && water.depth.size() == cells &&
-                       water.u.size() == cells + water.ny &&
-                       water.v.size() == cells + water.nx;
+    const bool sized =
+        water.looked_at && water.nx > 0 && water.ny > 0 && water.dx > 0 &&
+        water.g > 0 && water.bed.size() == cells && water.depth.size() == cells &&
+        water.u.size() == cells + water.ny && water.v.size() == cells + water.nx;
     if (!sized) require_valid(water);
     water.looked_at = true;
     const Real fastest = largest(water.u, -infinity) + largest(water.v, -infinity) +

@@ -47,6 +47,9 @@ Index add_boat(WaterScene& pond, Real x)
 
 Index add_raft(WaterScene& pond, Real x, int planks)
 {
+    if (planks < 1)
+        throw std::invalid_argument("the raft has " + std::to_string(planks) +
+                                    " planks; it must have one or more");
     JointedScene& all = pond.scene;
     const Real y = level_at(pond, x), left = x - 0.375 * (planks - 1);
     const Index first = all.bodies.count();

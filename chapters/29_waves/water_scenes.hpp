@@ -24,7 +24,7 @@ Index add_floating_box(WaterScene& pond, Real x, Real height, Real ratio, Real p
 /// \return  the number of its hull
 Index add_boat(WaterScene& pond, Real x);
 
-/// So many planks of 0.7 m on pins, a chain that lies on the water.
+/// So many planks of 0.7 m on pins, a chain that lies on the water. Throws std::invalid_argument for fewer than one.
 /// \return  the number of the first
 Index add_raft(WaterScene& pond, Real x, int planks);
 

@@ -7,10 +7,18 @@
 namespace rigid {
 namespace {
 
+void require_intervals(Index intervals)
+{
+    if (intervals < 2)
+        throw std::invalid_argument("the string has " + std::to_string(intervals) +
+                                    " intervals; it must have two or more");
+}
+
 /// Of what would break a step what can be seen without a look at each mass.
 void require_sound(const WaveLine& line)
 {
-    const bool sound = line.c > 0 && line.dx > 0 &&
+    const bool sound = line.c > 0 && line.c < infinity && line.dx > 0 &&
+                       line.dx < infinity && line.intervals() > 1 &&
                        line.v.size() == line.y.size() &&
                        line.damping.size() == line.y.size();
     if (!sound) require_valid(line);
@@ -43,9 +51,7 @@ Real weight_of(const WaveLine& line, Index i)
 WaveLine::WaveLine(Index intervals, Real length, Real speed)
     : c(speed), y(VecX::Zero(std::max<Index>(intervals, 1) + 1)), v(y), damping(y)
 {
-    if (intervals < 2)
-        throw std::invalid_argument("the string has " + std::to_string(intervals) +
-                                    " intervals; it must have two or more");
+    require_intervals(intervals);
     require_positive("the length of the string", length, " m");
     require_positive("the speed of its waves", speed, " m/s");
     dx = length / static_cast<Real>(intervals);
@@ -61,6 +67,7 @@ void require_valid(const WaveLine& line)
             std::to_string(line.v.size()) + " velocities and " +
             std::to_string(line.damping.size()) +
             " dampings; they must be as many");
+    require_intervals(line.intervals());
     require_finite(line.y, "y");
     require_finite(line.v, "v");
     require_finite(line.damping, "damping");

@@ -40,7 +40,8 @@ struct WaveLine {
     Real length() const { return dx * static_cast<Real>(intervals()); }
 };
 
-/// Throws std::invalid_argument, naming the entry, unless all is finite, sizes fit and no damping is negative.
+/// Throws std::invalid_argument, naming the entry, unless all is finite, there are two intervals or more, sizes fit and no
+/// damping is negative.
 void require_valid(const WaveLine& line);
 
 /// C = c h / Δx.

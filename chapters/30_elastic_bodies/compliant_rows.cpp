@@ -35,6 +35,19 @@ void CompliantRow<Dim>::add_push(Real scale, const std::vector<char>& fixed,
 }
 
 template <int Dim>
+bool CompliantRow<Dim>::is_stuck(const ElasticBody<Dim>& body, const VecX& u) const
+{
+    for (int i = 0; i < count; ++i)
+        for (int c = 0; c < Dim; ++c)
+            if (push(i, c) != 0 &&
+                !body.fixed[static_cast<std::size_t>(
+                    Dim * node[static_cast<std::size_t>(i)] + c)])
+                return false;
+    return (rigid.Wa.array() == 0).all() && (rigid.Wb.array() == 0).all() &&
+           velocity(body.v, u) < 0;
+}
+
+template <int Dim>
 void CompliantStep<Dim>::find_answers(const ElasticBody<Dim>& body)
 {
     if (answer_.size() < rows.size()) answer_.resize(rows.size());
@@ -96,6 +109,14 @@ void CompliantStep<Dim>::require_valid(Real friction, Real skin, Real margin) co
         throw std::invalid_argument(
             "contacts of an elastic body need its factor; choose "
             "LinearSolve::direct");
+    if (solver.settings.rule != TimeRule::implicit_euler)
+        throw std::invalid_argument(
+            "contacts of an elastic body are those of implicit Euler; choose "
+            "TimeRule::implicit_euler");
+    if (most < 1)
+        throw std::invalid_argument(
+            "the number of iterations of an elastic scene is at most " +
+            std::to_string(most) + "; it must be positive");
 }
 
 template struct CompliantRow<2>;

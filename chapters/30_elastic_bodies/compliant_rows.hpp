@@ -40,14 +40,17 @@ struct CompliantRow {
     Real velocity(const VecX& v, const VecX& u) const;
     /// f ← f + scale Jᵀ, on freedoms that are not fixed
     void add_push(Real scale, const std::vector<char>& fixed, VecX& f) const;
+    /// Whether w is negative and no λ changes it: nodes that are held and a body that
+    /// cannot move overlap, or come together.
+    bool is_stuck(const ElasticBody<Dim>& body, const VecX& u) const;
 };
 
 template <int Dim>
 class CompliantStep {
 public:
     static constexpr int dof = CompliantRow<Dim>::dof;
-    ElasticSolver<Dim>
-        solver;             ///< its rule and its linear solver are not looked at
+    /// by implicit Euler, with its factor; its iterations and tolerance are those below
+    ElasticSolver<Dim> solver;
     int most = 12;          ///< iterations of Newton's method
     Real tolerance = 1e-8;  ///< of the residual with the impulses in it
     Real repaid = 0.2;      ///< share of an overlap that a step pushes out
@@ -93,7 +96,8 @@ void CompliantStep<Dim>::iterate(ElasticBody<Dim>& body, Bodies<dof>& bodies,
     report = {};
     answers = 0;
     solution.lambda.setZero(static_cast<Index>(rows.size()));
-    for (report.iterations = 1; report.iterations <= most; ++report.iterations) {
+    while (report.iterations < most) {
+        ++report.iterations;
         solver.look(body);
         const Real before =
             report.iterations > 1 ? report.residual : solver.report.residual;

@@ -48,6 +48,7 @@ void ElasticContacts::add_contact(const ElasticScene& scene, CompliantRow<2> row
     along(normal);
     row.gap = gap;
     row.rigid.bias = (gap > 0 ? gap : repaid * gap) / h;
+    if (row.is_stuck(scene.elastic, scene.bodies.u)) return;
     rows.push_back(row);
     along(perpendicular(normal));
     row.rigid.bias = 0;

@@ -14,16 +14,17 @@ void add_edge_load(ElasticBody<2>& body, const IsLoaded& is_loaded,
                    const Vec2& per_metre)
 {
     const ElasticMesh<2>& mesh = body.model.mesh();
-    int corners =
-        0;  // corners come first, wherever a quadratic mesh was made of a linear one
+    std::vector<bool> is_corner(static_cast<std::size_t>(mesh.nodes()));
     for (int e = 0; e < mesh.count(); ++e)
         for (int i = 0; i < 3; ++i)
-            corners = std::max(corners, mesh.node(e, i) + 1);
+            is_corner[static_cast<std::size_t>(mesh.node(e, i))] = true;
     for (const auto& [a, b] : outline(mesh)) {
         if (!is_loaded(Vec2(mesh.at(a))) || !is_loaded(Vec2(mesh.at(b)))) continue;
         const Real length = (mesh.at(b) - mesh.at(a)).norm();
         const auto share = [&](int node) {
-            return mesh.order == 1 ? 0.5 : node < corners ? 1.0 / 3 : 2.0 / 3;
+            return mesh.order == 1                             ? 0.5
+                   : is_corner[static_cast<std::size_t>(node)] ? 1.0 / 3
+                                                               : 2.0 / 3;
         };
         for (const int node : {a, b})
             body.load.segment<2>(2 * node) += share(node) * length * per_metre;

@@ -4,6 +4,7 @@
 #include "common/elementary.hpp"
 #include "common/text.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <map>
@@ -23,6 +24,14 @@ Mat<Dim> edge_columns(const ElasticMesh<Dim>& mesh, int element)
         edges.col(i) =
             mesh.at(mesh.node(element, i + 1)) - mesh.at(mesh.node(element, 0));
     return edges;
+}
+
+void require_count(const std::string& what, int count, int least = 1)
+{
+    if (count < least)
+        throw std::invalid_argument("the " + what + " of a mesh are " +
+                                    std::to_string(count) + "; there must be " +
+                                    std::to_string(least) + " or more");
 }
 
 Real factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
@@ -181,6 +190,7 @@ ElasticMesh<Dim> joined(const ElasticMesh<Dim>& a, const ElasticMesh<Dim>& b)
 
 ElasticMesh<1> bar_mesh(Real length, int elements)
 {
+    require_count("elements", elements);
     ElasticMesh<1> mesh;
     mesh.rest.resize(elements + 1);
     for (int i = 0; i <= elements; ++i) mesh.rest[i] = length * i / elements;
@@ -194,6 +204,7 @@ ElasticMesh<1> bar_mesh(Real length, int elements)
 ElasticMesh<2> rectangle_mesh(const Vec2& corner, const Vec2& size, int nx, int ny,
                               Diagonals diagonals)
 {
+    require_count("boxes along x", nx), require_count("boxes along y", ny);
     ElasticMesh<2> mesh;
     mesh.rest.resize(2 * (nx + 1) * (ny + 1));
     for (int j = 0; j <= ny; ++j)
@@ -207,6 +218,7 @@ ElasticMesh<2> rectangle_mesh(const Vec2& corner, const Vec2& size, int nx, int 
 
 ElasticMesh<2> ring_mesh(Real inner, Real outer, int nr, int na, Real grading)
 {
+    require_count("layers", nr), require_count("boxes around", na);
     ElasticMesh<2> mesh;
     mesh.rest.resize(2 * (nr + 1) * (na + 1));
     Real whole = 0, layer = 1;
@@ -230,6 +242,7 @@ ElasticMesh<2> ring_mesh(Real inner, Real outer, int nr, int na, Real grading)
 
 ElasticMesh<2> disc_mesh(const Vec2& centre, Real radius, int rings)
 {
+    require_count("rings", rings);
     ElasticMesh<2> mesh;
     std::vector<Vec2> points{centre};
     for (int r = 1; r <= rings; ++r)
@@ -260,6 +273,7 @@ ElasticMesh<2> disc_mesh(const Vec2& centre, Real radius, int rings)
 
 ElasticMesh<2> lattice_mesh(Real side, int columns, int rows)
 {
+    require_count("columns", columns, 2), require_count("rows", rows, 2);
     ElasticMesh<2> mesh;
     mesh.rest.resize(2 * columns * rows);
     const auto node = [columns](int i, int j) { return j * columns + i; };
@@ -281,8 +295,10 @@ ElasticMesh<2> lattice_mesh(Real side, int columns, int rows)
 ElasticMesh<3> block_mesh(const Vec<3>& corner, const Vec<3>& size, int nx, int ny,
                           int nz)
 {
-    ElasticMesh<3> mesh;
     const std::array<int, 3> n{nx, ny, nz};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        require_count(std::string("boxes along ") + "xyz"[axis], n[axis]);
+    ElasticMesh<3> mesh;
     const auto node = [&n](const std::array<int, 3>& at) {
         return (at[2] * (n[1] + 1) + at[1]) * (n[0] + 1) + at[0];
     };
@@ -315,6 +331,7 @@ ElasticMesh<3> block_mesh(const Vec<3>& corner, const Vec<3>& size, int nx, int 
 
 ElasticMesh<3> ball_mesh(const Vec<3>& centre, Real radius, int finer, int shells)
 {
+    require_count("quarterings", finer, 0), require_count("shells", shells);
     const Real golden = (1 + std::sqrt(5.0)) / 2;
     std::vector<Vec<3>> points;  // of the icosahedron, then of its finer ones
     for (const Real a : {-1.0, 1.0})

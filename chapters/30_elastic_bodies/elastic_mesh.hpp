@@ -70,6 +70,9 @@ ElasticMesh<Dim> quadratic(const ElasticMesh<Dim>& mesh);
 template <int Dim>
 ElasticMesh<Dim> joined(const ElasticMesh<Dim>& a, const ElasticMesh<Dim>& b);
 
+// The meshes that follow throw std::invalid_argument for less than one of what they count
+// (of a lattice two), naming it and its number.
+
 /// A bar from 0 to `length` of equal elements.
 ElasticMesh<1> bar_mesh(Real length, int elements);
 

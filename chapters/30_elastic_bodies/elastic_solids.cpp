@@ -23,6 +23,7 @@ void ElasticSolids::add_contact(const ElasticSpace& scene, CompliantRow<3> row,
     row.rigid.a = k, row.rigid.b = world;
     along(normal);
     row.rigid.bias = (row.gap > 0 ? row.gap : repaid * row.gap) / h;
+    if (row.is_stuck(scene.elastic, scene.bodies.u)) return;
     rows.push_back(row);
     if (!(scene.soft_friction > 0)) return;
     row.rigid.bias = 0;

@@ -20,11 +20,22 @@ std::vector<Real> sound_of(const ElasticBody<Dim>& body, int count, int freedom,
         throw std::invalid_argument("the freedom to listen to is " +
                                     std::to_string(freedom) + "; there are " +
                                     std::to_string(body.x.size()));
-    if (!(seconds > 0 && seconds < 3600) || rate < 1)
+    if (!(seconds > 0) || rate < 1)
         throw std::invalid_argument("a sound of " + shortest(seconds) + " s at " +
                                     std::to_string(rate) +
                                     " samples a second; both must be positive");
+    if (!(seconds < 3600) || seconds * rate < 1)
+        throw std::invalid_argument("a sound of " + shortest(seconds) + " s at " +
+                                    std::to_string(rate) +
+                                    " samples a second; it must be of one sample "
+                                    "at least, and below 3600 s");
     ModalBody<Dim> modal(body, count);
+    const Vibration<Dim>& found = modal.vibration;
+    if (found.status != Status::solved)
+        throw std::runtime_error("the vibrations of the body have a residual of " +
+                                 shortest(found.residual) + " after " +
+                                 std::to_string(found.iterations) +
+                                 " rounds; a sound needs them solved");
     std::vector<Real> samples(static_cast<std::size_t>(std::floor(seconds * rate)),
                               Real{0});
     for (Index k = 0; k < modal.q.size(); ++k) {
@@ -51,6 +62,9 @@ void write_wave(std::ostream& out, std::span<const Real> samples, int rate)
     }
     if (samples.empty())
         throw std::invalid_argument("a sound has no samples; it must have one");
+    if (rate < 1)
+        throw std::invalid_argument("a sound has " + std::to_string(rate) +
+                                    " samples a second; it must have one or more");
     const auto put = [&out](std::uint32_t number, int bytes) {
         for (int i = 0; i < bytes; ++i)
             out.put(static_cast<char>(number >> (8 * i) & 0xff));
@@ -61,7 +75,7 @@ void write_wave(std::ostream& out, std::span<const Real> samples, int rate)
     out << "WAVEfmt ";
     put(16, 4), put(1, 2), put(1, 2);  // plain numbers, one channel
     put(static_cast<std::uint32_t>(rate), 4);
-    put(static_cast<std::uint32_t>(2 * rate), 4);
+    put(2 * static_cast<std::uint32_t>(rate), 4);
     put(2, 2), put(16, 2);
     out << "data";
     put(size, 4);

@@ -18,14 +18,16 @@ namespace rigid {
 /// \param count    vibrations
 /// \param freedom  Dim·node + axis
 /// \param rate     samples a second
-/// \throws std::invalid_argument  for a freedom that there is not, or a time or rate
-///         that is not positive
+/// \throws std::invalid_argument  for a freedom that there is not, a time or rate that is
+///         not positive, and less than one sample or an hour or more
+/// \throws std::runtime_error     where the vibrations were not found
 template <int Dim>
 std::vector<Real> sound_of(const ElasticBody<Dim>& body, int count, int freedom,
                            Real seconds, int rate = 44100);
 
 /// A file of one channel and 16 bits a sample (WAV), the loudest sample at 0.9.
-/// \throws std::invalid_argument  for no samples, or one that is not finite
+/// \throws std::invalid_argument  for no samples, one that is not finite, or a rate that is
+///         not positive
 void write_wave(std::ostream& out, std::span<const Real> samples, int rate = 44100);
 
 extern template std::vector<Real> sound_of(const ElasticBody<1>&, int, int, Real,

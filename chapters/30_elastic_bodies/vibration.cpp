@@ -60,6 +60,7 @@ Vibration<Dim> vibrations_of(const ElasticBody<Dim>& body, int count,
                              Real tolerance)
 {
     const ElasticModel<Dim>& model = body.model;
+    require_valid(body, NewtonOnEnergy{});
     const VecX& rest = model.mesh().rest;
     const Index n = rest.size();
     const auto free = std::count(body.fixed.begin(), body.fixed.end(), char{0});
@@ -82,6 +83,7 @@ Vibration<Dim> vibrations_of(const ElasticBody<Dim>& body, int count,
     BlockLdlt<Dim> factor;
     factor.analyse(model.pattern());
     Vibration<Dim> out;
+    out.omega = VecX::Zero(count), out.shapes = MatX::Zero(n, count);
     if (!factor.factor(H)) {
         out.status = Status::singular;
         return out;
@@ -100,7 +102,8 @@ Vibration<Dim> vibrations_of(const ElasticBody<Dim>& body, int count,
             if (body.fixed[static_cast<std::size_t>(i)]) v[i] = 0;
     };
     //! [subspace]
-    for (out.iterations = 1; out.iterations <= 300; ++out.iterations) {
+    while (out.status != Status::solved && out.iterations < 300) {
+        ++out.iterations;
         for (Index c = 0; c < p; ++c) {
             x = X.col(c);
             model.multiply_mass(x, product);
@@ -123,7 +126,10 @@ Vibration<Dim> vibrations_of(const ElasticBody<Dim>& body, int count,
                     a += X(k, i) * KX(k, j), b += X(k, i) * MX(k, j);
                 A(i, j) = A(j, i) = a, B(i, j) = B(j, i) = b;
             }
-        if (!solve_small(A, B, turn, squares)) break;
+        if (!solve_small(A, B, turn, squares)) {
+            out.residual = infinity, out.status = Status::singular;
+            return out;
+        }
         // X, M X and K X turn alike
         for (auto* const m : {&X, &MX, &KX}) {
             const MatX old = *m;
@@ -146,18 +152,27 @@ Vibration<Dim> vibrations_of(const ElasticBody<Dim>& body, int count,
                 std::max(out.residual,
                          std::sqrt(left / size) / (std::abs(squares[c]) + shift));
         }
-        if (out.residual <= tolerance) {
-            out.status = Status::solved;
-            break;
-        }
+        if (out.residual <= tolerance) out.status = Status::solved;
     }
     //! [subspace]
-    out.omega.resize(count);
     for (Index c = 0; c < count; ++c)
         out.omega[c] = std::sqrt(std::max<Real>(0, squares[c]));
     out.shapes = X.leftCols(count);
     return out;
 }
+
+namespace {
+
+/// How far a force of one moves in h what nothing holds, ∫∫ e^{−ct}.
+Real free_way(Real c, Real h)
+{
+    const Real z = c * h;
+    if (z < 1e-3)  // where the difference below would lose its digits
+        return h * h / 2 * (1 - z / 3 * (1 - z / 4 * (1 - z / 5)));
+    return (h + expm1(-z) / c) / c;
+}
+
+}  // namespace
 
 //! [swing]
 void swing(Real omega, Real c, Real force, Real h, Real& q, Real& speed)
@@ -165,21 +180,24 @@ void swing(Real omega, Real c, Real force, Real h, Real& q, Real& speed)
     // (30.24): about where the force holds it; d² = ω² − c²/4
     if (!(omega * h > 1e-12)) {  // it does not swing: a body that flies
         const Real left = c > 0 ? -expm1(-c * h) / c : h;  // ∫ e^{−ct}
-        const Real pushed = c > 0 ? (h - left) / c : h * h / 2;
-        q += left * speed + pushed * force;
+        q += left * speed + free_way(c, h) * force;
         speed += left * (force - c * speed);
         return;
     }
+    // what swings so slowly that the force hardly notices: its middle is too far away
+    const Real way = free_way(c, h);
+    const bool is_near = omega * omega * way > 1e-8;
     const Real middle = force / (omega * omega), x = q - middle;
     const Real square = omega * omega - c * c / 4, d = std::sqrt(std::abs(square));
-    const Real fall = exp(-c * h / 2);
-    Real C = 1, S = h;  // cos and sin over d, or cosh and sinh
-    if (d * h > 1e-9) {
-        const Real up = exp(d * h), down = exp(-d * h);
-        C = square > 0 ? cos(d * h) : (up + down) / 2;
-        S = square > 0 ? sin(d * h) / d : (up - down) / (2 * d);
+    Real fall = exp(-c * h / 2), C = 1, S = h;  // cos and sin over d
+    if (d * h > 1e-9 && square > 0) C = cos(d * h), S = sin(d * h) / d;
+    else if (d * h > 1e-9) {  // cosh and sinh, which alone may be infinite
+        const Real less = expm1(-2 * d * h);
+        fall = exp(-omega * omega / (c / 2 + d) * h);  // c/2 − d
+        C = 1 + less / 2, S = -less / (2 * d);
     }
-    q = middle + fall * (x * C + (speed + c / 2 * x) * S);
+    q = is_near ? middle + fall * (x * C + (speed + c / 2 * x) * S)
+                : fall * (q * C + (speed + c / 2 * q) * S) + way * force;
     speed = fall * (speed * C - (omega * omega * x + c / 2 * speed) * S);
 }
 //! [swing]
@@ -193,8 +211,20 @@ ModalBody<Dim>::ModalBody(const ElasticBody<Dim>& body, int count)
 }
 
 template <int Dim>
+void ModalBody<Dim>::require_same(const ElasticBody<Dim>& body) const
+{
+    require_valid(body, NewtonOnEnergy{});
+    if (body.x.size() != vibration.shapes.rows())
+        throw std::invalid_argument(
+            "the body has " + std::to_string(body.x.size()) +
+            " freedoms; its vibrations are those of one of " +
+            std::to_string(vibration.shapes.rows()));
+}
+
+template <int Dim>
 void ModalBody<Dim>::take(const ElasticBody<Dim>& body)
 {
+    require_same(body);
     f_ = body.x - body.model.mesh().rest;
     body.model.multiply_mass(f_, product_);
     VecX momentum;
@@ -211,6 +241,8 @@ void ModalBody<Dim>::take(const ElasticBody<Dim>& body)
 template <int Dim>
 void ModalBody<Dim>::step(ElasticBody<Dim>& body, Real h)
 {
+    require_step(h);
+    require_same(body);
     f_ = body.load;
     for (int i = 0; i < body.model.nodes(); ++i)
         for (int c = 0; c < Dim; ++c)

@@ -25,8 +25,8 @@ struct Vibration {
 
 /// The `count` slowest vibrations of a body about its rest shape; fixed freedoms stay.
 /// \param tolerance  of the residual
-/// \throws std::invalid_argument  for a count that is not from 1 to the number of free
-///         freedoms
+/// \throws std::invalid_argument  for a body that is not valid, and for a count that is not
+///         from 1 to the number of free freedoms
 template <int Dim>
 Vibration<Dim> vibrations_of(const ElasticBody<Dim>& body, int count,
                              Real tolerance = 1e-9);
@@ -42,12 +42,15 @@ struct ModalBody {
     VecX q, speed;  ///< [kg^½ m], [kg^½ m/s]
 
     explicit ModalBody(const ElasticBody<Dim>& body, int count);
-    /// One step of the body: its x and v become those of the sum.
+    /// One step of the body: its x and v become those of the sum. Throws
+    /// std::invalid_argument for a step that is not positive, a body that is not valid or
+    /// has another number of nodes than that whose vibrations these are.
     void step(ElasticBody<Dim>& body, Real h);
     /// q and q̇ of a body as it is: what none of the vibrations has is lost.
     void take(const ElasticBody<Dim>& body);
 
 private:
+    void require_same(const ElasticBody<Dim>& body) const;
     VecX f_, product_;
 };
 
