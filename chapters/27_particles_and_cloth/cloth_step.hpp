@@ -119,7 +119,7 @@ struct NothingTouched {
     /// One visit of each row.
     void visit(const ClothScene&, VecX&) {}
     /// Of the midpoint, which has gone on from u0 (and what a limit has drawn back): what touches does not bounce.
-    void rest_in_the_middle(ClothScene&, const VecX&) {}
+    void rest_in_the_middle(ClothScene&, Real, const VecX&) {}
     /// With the velocities, and x0 of the sub-step.
     void end(ClothScene&, Real, const VecX&) {}
 };
@@ -170,7 +170,8 @@ void step(Scene& cloth, const ClothSettings& settings, ClothMemory& now,
         }
         now.end(cloth, settings);
         if (middle)
-            touch.rest_in_the_middle(cloth, now.u0 + now.drawn_back / settings.h);
+            touch.rest_in_the_middle(cloth, h,
+                                     now.u0 + now.drawn_back / settings.h);
         touch.end(cloth, h, now.x0);
         if (settings.strength < infinity) {
             now.torn += tear(cloth, settings.strength);

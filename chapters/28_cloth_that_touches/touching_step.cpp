@@ -42,14 +42,26 @@ void ClothTouching::begin(TouchingCloth& cloth, Real h, const VecX& x0,
     else self.rows.clear();
 }
 
-void ClothTouching::rest_in_the_middle(TouchingCloth& cloth, const VecX& u0) const
+//! [rest_in_the_middle]
+void ClothTouching::rest_in_the_middle(TouchingCloth& cloth, Real h,
+                                       const VecX& u0) const
 {
-    for (const ClothContact& c : touch.contacts)
-        if (c.lambda > 0) {
-            auto u = cloth.bodies.velocity(c.particle);
-            u += -0.5 * (u - u0.segment<3>(3 * c.particle));
+    for (const ClothContact& c : touch.contacts) {
+        if (!(c.lambda > 0)) continue;
+        auto u = cloth.bodies.velocity(c.particle);
+        const Vec3 bounce = (u - u0.segment<3>(3 * c.particle)) / 2;
+        const Real mu = cloth.shapes[static_cast<std::size_t>(c.solid)].friction;
+        if (c.slide.norm() < (1 - 1e-9) * mu * c.lambda) {  // it sticks
+            u -= bounce;
+            continue;
         }
+        const Real w = cloth.bodies.inverse_mass[3 * c.particle] / h;
+        const Real part = c.normal.dot(bounce) / (w * c.lambda);
+        u -= std::clamp(part, Real{0}, Real{1}) * w *
+             (c.lambda * c.normal + c.slide);
+    }
 }
+//! [rest_in_the_middle]
 
 void ClothTouching::end(TouchingCloth& cloth, Real h, const VecX& x0)
 {

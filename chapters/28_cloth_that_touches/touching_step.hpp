@@ -31,7 +31,7 @@ struct ClothTouching {
         touch.visit(cloth, x);
         self.visit(cloth, x);
     }
-    void rest_in_the_middle(TouchingCloth& cloth, const VecX& u0) const;
+    void rest_in_the_middle(TouchingCloth& cloth, Real h, const VecX& u0) const;
     void end(TouchingCloth& cloth, Real h, const VecX& x0);
 
 private:
