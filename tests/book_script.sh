@@ -54,6 +54,9 @@ for link in first second; do
 done
 wants "a relative path" "$(../book_folder/book run 1 2>&1; cat rel.csv)" "rows of"
 
+# A short run is not published.
+wants "a short run" "$("$book/book" bench --publish --quick 2>&1 || true)" "bench --publish --quick: what is published is the whole run"
+
 # How long a first build takes; nothing where all has been built.
 printf '#!/bin/sh\nfor i in 1 2 3 4 5 6 7; do echo "c++ -o part$i.o -c part$i.cpp"; done\n' >"$scratch/tools/ninja"
 chmod +x "$scratch/tools/ninja"
