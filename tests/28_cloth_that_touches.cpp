@@ -101,6 +101,13 @@ Vec3 angular(const TouchingCloth& cloth)
     return sum;
 }
 
+/// Gravity as it is seen by a floor that is a slope. \param direction  of its fall, from x towards z [rad]
+Vec3 down_a_slope(Real slope, Real direction)
+{
+    return 9.81 * Vec3(rigid::sin(slope) * rigid::cos(direction), -rigid::cos(slope),
+                       rigid::sin(slope) * rigid::sin(direction));
+}
+
 }  // namespace
 
 TEST_CASE("a particle on a slope holds below the angle of friction and slides above it in every direction",
@@ -119,8 +126,7 @@ TEST_CASE("a particle on a slope holds below the angle of friction and slides ab
                     wall.shape = ClothSolid::Shape::wall, wall.friction = mu;
                     add_solid(cloth, wall, 0, {0, 0, 0});
                     add_particle(cloth, {0, 0, 0}, 0.3);
-                    cloth.gravity = g * Vec3(rigid::sin(slope) * rigid::cos(direction), -rigid::cos(slope),
-                                             rigid::sin(slope) * rigid::sin(direction));
+                    cloth.gravity = down_a_slope(slope, direction);
                     TouchingMemory memory;
                     ClothSettings how;
                     how.h = h, how.method = method;
@@ -481,8 +487,7 @@ TEST_CASE("a particle on an inclined mesh slides in every direction as the disc 
         ground.mesh = flat_mesh(8, 8, 0.5);
         add_solid(cloth, ground, 0, {0, 0, 0});
         add_particle(cloth, {0.03, 0, 0.05}, 0.3);
-        cloth.gravity = g * Vec3(rigid::sin(slope) * rigid::cos(direction), -rigid::cos(slope),
-                                 rigid::sin(slope) * rigid::sin(direction));
+        cloth.gravity = down_a_slope(slope, direction);
         TouchingMemory memory;
         ClothSettings how;
         how.h = h;
