@@ -48,6 +48,12 @@ struct ChoiceRule {
 /// to step, and would keep it awake.
 inline Real settled(Real tolerance) { return tolerance / 1000; }
 
+/// A sweep with momentum over so many rows, at most: what goes further costs up to
+/// as much again [entries]
+inline std::int64_t price_of_momentum(std::int64_t rows)
+{
+    return 2 * rows * price::lane_visit;
+}
 /// Whether an island may be solved exactly, and whether it should be.
 inline bool may_be_exact(const IslandShape& shape, const ChoiceRule& rule)
 {
@@ -57,11 +63,14 @@ inline bool may_be_exact(const IslandShape& shape, const ChoiceRule& rule)
 inline bool should_be_exact(const IslandShape& shape, const ChoiceRule& rule)
 {
     if (!may_be_exact(shape, rule)) return false;
-    // a large heap is swept in lanes first
-    if (!shape.has_joints() && shape.rows >= rule.large) return false;
-    return shape.bounded + shape.loops <= rule.always ||
-           shape.sweeps_needed() > rule.patience ||
-           shape.price_of_exact() < shape.price_of_sweeps();
+    if (shape.bounded + shape.loops <= rule.always) return true;
+    if (shape.has_joints())
+        return shape.sweeps_needed() > rule.patience ||
+               shape.price_of_exact() < shape.price_of_sweeps();
+    // a heap goes to lanes, a large one in any case
+    return shape.rows < rule.large &&
+           shape.price_of_exact() <
+               shape.sweeps_with_momentum() * Real(price_of_momentum(shape.rows));
 }
 /// What an exact solve of an island that comes to rest may cost: what is stuck is
 /// guessed a few times, and each guess has a factor. 0 where that is too much.
@@ -72,12 +81,6 @@ inline std::int64_t rest_price(const IslandShape& shape, const ChoiceRule& rule)
     const Real guessed = 4 * shape.price_of_exact();
     if (shape.rows >= rule.large && guessed > most) return 0;  // by sweeps
     return std::int64_t(std::clamp(guessed, some, most));
-}
-/// A sweep with momentum over so many rows, at most: what goes further costs up to
-/// as much again [entries]
-inline std::int64_t price_of_momentum(std::int64_t rows)
-{
-    return 2 * rows * price::lane_visit;
 }
 /// Sweeps with momentum over a heap that comes to rest and that no exact solve may
 /// end: up to 23 N are needed (section 18.D). 0 where that is too much.

@@ -4,6 +4,7 @@
 ///
 ///     sweeps needed  ≈  N² r                           N bodies from the ground to the farthest one, r largest mass over smallest   (18.1)
 ///     by sweeps      ≈  8 n N² r                       entries of matrices, n rows; a row visited counts as 8                        (18.2)
+///     with momentum  ≈  2·2 n·20 √(N (N + r − 1))      entries, in lanes, a sweep with momentum taken for two                        (18.2a)
 ///     exactly        ≈  250 m²/k + 3 m³/k^(3/2) + …    m rows with bounds, k bodies, of which joints make one; and its joints        (18.3)
 ///
 /// N links in a row need a number of sweeps that grows with N² (4.11), a heavy body on a light one as many times more as it
@@ -30,11 +31,17 @@ struct IslandShape {
 
     bool has_joints() const { return rows > bounded; }
     Real sweeps_needed() const { return Real(length) * length * mass_ratio; }
+    Real sweeps_with_momentum() const;
     Real price_of_sweeps() const;
     Real price_of_loops() const;
     Real price_of_exact() const;
 };
 
+/// (18.2a)
+inline Real IslandShape::sweeps_with_momentum() const
+{
+    return 20 * std::sqrt(length * (length + mass_ratio - 1));
+}
 /// (18.2) [entries]
 inline Real IslandShape::price_of_sweeps() const
 {

@@ -34,10 +34,9 @@ struct WideIsland {
         bundle_rows(part.now.rows, part.local.count(), solver.bundles);
         solver.colour(part.local, part.now);
         part.now.same_rows = has_rows_ = true;
-        sweep_price_ = price_of_momentum(static_cast<std::int64_t>(rows.size()));
         // 10⁶ sweeps are more than any island that is large can pay for
-        standing = static_cast<int>(
-            std::min<std::int64_t>(note.to_stand / sweep_price_, 1'000'000));
+        standing = static_cast<int>(std::min<std::int64_t>(
+            note.to_stand / price_of_momentum(std::ssize(rows)), 1'000'000));
     }
 
     /// \param sweeps  of islands that move
@@ -68,12 +67,6 @@ struct WideIsland {
         part.scatter(bodies, now);
     }
     //! [wide]
-
-    /// What the sweeps of the last solve cost, where it stands [entries]
-    std::int64_t spent() const
-    {
-        return part.now.solution.iterations * sweep_price_;
-    }
 
     /// Whether its sweeps go on in the next step: they halve what they begin with.
     /// \param r  the residual that they have left [m/s]
@@ -122,7 +115,6 @@ private:
     }
 
     static constexpr Real rounding = 1e-10;  ///< of thousands of sweeps [ℓ/s]
-    std::int64_t sweep_price_ = 0;           ///< of what stands [entries]
     Real began_ = 0;         ///< residual, of what rests, before its sweeps [m/s]
     bool has_rows_ = false;  ///< those of this sub-step are in `part`
 };
