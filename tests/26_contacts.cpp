@@ -712,6 +712,48 @@ TEST_CASE("a long body that spins among small ones passes nothing", "[house]")
     }
 }
 
+TEST_CASE("what starts deep in another comes out of it in coordinates at a speed that no step makes larger",
+          "[idea]")
+{
+    for (const Real deep : {0.01, 0.1, 0.4})
+        for (const Real steps : {60.0, 240.0, 960.0}) {
+            CAPTURE(deep, steps);
+            JointedScene scene;
+            scene.walls.push_back({{0, 1}, 0});
+            add_body(scene, box(1, 1), Real{1}, {0, 0.5 - deep});
+            ReducedMotion motion(scene);
+            const Real length = typical_length(scene);
+            Real fastest = 0;
+            for (int n = 0; n < steps; ++n) {
+                REQUIRE(motion.advance(scene, 1 / steps) == Status::solved);
+                fastest = std::max(fastest, scene.bodies.u.cwiseAbs().maxCoeff());
+            }
+            CHECK(fastest > 0.9 * std::min(deep * steps, length));  // it did come out
+            CHECK(fastest < length + 9.81 / steps);  // and fell back, from v²/2g above the floor
+            CHECK(scene.bodies.x[1] == Approx(0.5).margin(1e-6));
+        }
+}
+
+TEST_CASE("a limit is met alike in coordinates whatever the unit of length", "[idea]")
+{
+    const auto thrown = [](Real unit) {
+        JointedScene scene;
+        scene.gravity *= unit;
+        add_body(scene, disc(0.1 * unit), Mass{1, {0, 0}, 0.005 * unit * unit}, {0.3 * unit, 0});
+        PointJoint rope;
+        rope.kind = ConstraintKind::unilateral, rope.sense = -1;
+        rope.a = world, rope.b = 0, rope.length = unit;
+        scene.joints.push_back(rope);
+        ReducedMotion motion(scene);
+        for (int n = 0; n < 90; ++n) CHECK(motion.advance(scene, 1.0 / 60) == Status::solved);
+        CHECK(scene.bodies.x.head<2>().norm() < 1.001 * unit);  // it hangs
+        CHECK(scene.bodies.x[0] < 0.29 * unit);                 // and swings
+        return Vec<3>(scene.bodies.x / unit);
+    };
+    const Vec<3> here = thrown(1);
+    for (const Real unit : {1e-3, 1e3}) CHECK((thrown(unit) - here).norm() < 1e-9);  // rounding of 90 steps
+}
+
 TEST_CASE("a joint that is another than it was is refused by coordinates and its limits may change",
           "[house]")
 {

@@ -58,6 +58,7 @@ struct Fall {
     int crossings = 0;
     std::size_t rows = 0;
     std::int64_t stopped = 0, unsure = 0;
+    bool lost = false;
 };
 
 /// A sheet that falls on its edge, for so many steps of 1/60 s.
@@ -73,6 +74,7 @@ Fall fall(Real thickness, ClothMethod method, int substeps, int steps, Real spee
         step(cloth, how, memory);
         found.crossings = std::max(found.crossings, crossings(cloth));
         found.rows = std::max(found.rows, memory.self.rows.size());
+        found.lost = found.lost || !memory.solved;
     }
     found.stopped = memory.self.stopped, found.unsure = memory.self.unsure;
     return found;
@@ -161,7 +163,8 @@ TEST_CASE("points are as far from each shape as its surface is", "[idea]")
 TEST_CASE("a sheet and the solid that it catches keep their momentum", "[idea]")
 {
     for (const bool box : {false, true})
-        for (const ClothMethod method : {ClothMethod::xpbd, ClothMethod::threads}) {
+        for (const ClothMethod method : {ClothMethod::xpbd, ClothMethod::threads, ClothMethod::midpoint}) {
+            INFO(to_string(method));
             TouchingCloth cloth = catching_sheet(12, 500, 2, box, false);
             cloth.gravity.setZero();
             cloth.solids.u << 0.3, -4, 0.2, 1, 2, -1;
@@ -178,6 +181,78 @@ TEST_CASE("a sheet and the solid that it catches keep their momentum", "[idea]")
             CHECK(cloth.solids.u[1] > -3.9);                                   // it has been braked
             CHECK((momentum(cloth) - before).norm() < 1e-12 * before.norm());  // rounding of 320 sub-steps
         }
+}
+
+TEST_CASE("a sheet with a limit and the solid that it catches keep their momentum in many sub-steps",
+          "[idea]")
+{
+    for (const ClothMethod method : {ClothMethod::xpbd, ClothMethod::threads, ClothMethod::midpoint}) {
+        INFO(to_string(method));
+        TouchingCloth cloth = catching_sheet(8, 500, 2, false, false);
+        cloth.gravity.setZero();
+        cloth.solids.u << 0.3, -4, 0.2, 1, 2, -1;
+        const Vec3 before = momentum(cloth);
+        TouchingMemory memory;
+        ClothSettings how;
+        how.method = method, how.substeps = 8, how.sweeps = 4, how.strain_limit = 0.01;
+        for (int n = 0; n < 20; ++n) step(cloth, how, memory);
+        CHECK(memory.drawn > 1000);
+        CHECK(cloth.solids.u[1] > -3.9);                                   // it has been braked
+        CHECK((momentum(cloth) - before).norm() < 1e-12 * before.norm());  // rounding of 160 sub-steps
+    }
+}
+
+TEST_CASE("a ball goes into a sheet and comes back by the midpoint as by explicit steps", "[idea]")
+{
+    const auto thrown = [](ClothMethod method, int substeps) {
+        TouchingCloth cloth = catching_sheet(8, 500, 2, false, true);
+        const Real before = energy(cloth);
+        TouchingMemory memory;
+        ClothSettings how;
+        how.method = method, how.substeps = substeps;
+        for (int n = 0; n < 40; ++n) step(cloth, how, memory);
+        CHECK(memory.touch.contacts.size() > 2);
+        CHECK(energy(cloth) < before);
+        return std::array{cloth.solids.x[1], cloth.solids.u[1]};
+    };
+    const auto finest = thrown(ClothMethod::explicit_euler, 256),
+               fine = thrown(ClothMethod::explicit_euler, 64), middle = thrown(ClothMethod::midpoint, 64);
+    CAPTURE(finest, fine, middle);
+    CHECK(finest[1] > 1);  // it is on its way up
+    // both are of order one where contacts begin: as far as the larger explicit step, twice for its other sign
+    CHECK(std::abs(middle[0] - finest[0]) < 2 * std::abs(fine[0] - finest[0]));
+    CHECK(std::abs(middle[1] - finest[1]) < 0.01 * finest[1]);
+}
+
+TEST_CASE(
+    "what strikes a cloth takes it along as two bodies that stick or slide by every way to solve a step",
+    "[idea]")
+{
+    for (const ClothMethod method :
+         {ClothMethod::xpbd, ClothMethod::explicit_euler, ClothMethod::newton, ClothMethod::midpoint})
+        for (const Real mu : {0.0, 0.1, 0.5})
+            for (const Real h : {1e-2, 1e-3}) {
+                CAPTURE(to_string(method), mu, h);
+                TouchingCloth cloth;
+                cloth.gravity.setZero();
+                for (const Vec3& at : {Vec3(-1, 0, -1), Vec3(-1, 0, 2), Vec3(2, 0, -1), Vec3(0, 0.0475, 0)})
+                    add_particle(cloth, at, 1);
+                cloth.triangles.push_back({0, 1, 2});
+                cloth.bodies.velocity(3) << 0.3, -1, 0;
+                cloth.self_thickness = 0.02, cloth.self_friction = mu;
+                TouchingMemory memory;
+                ClothSettings how;
+                how.h = h, how.method = method;
+                for (int n = 0; n < 0.1 / h - 0.5; ++n) step(cloth, how, memory);
+                // 1 kg and, at the middle of three corners, 3 kg: the impulse that stops 1 m/s is 3/4 N s; across it is
+                // mu times that, at most what stops 0.3 m/s
+                const Real across = std::min(mu * 0.75, 0.3 * 0.75);
+                // it strikes 8 mm beside the middle of a metre, and the triangle turns: squares of that
+                CHECK((cloth.bodies.velocity(3) - Vec3(0.3 - across, -0.25, 0)).norm() < 2e-4);
+                Vec3 mean(0, 0, 0);
+                for (int k = 0; k < 3; ++k) mean += cloth.bodies.velocity(k) / 3;
+                CHECK((mean - Vec3(across / 3, -0.25, 0)).norm() < 2e-4);
+            }
 }
 
 TEST_CASE("a box that no impulse moves lifts the cloth on it and carries it along and around", "[idea]")
@@ -362,6 +437,45 @@ TEST_CASE("what would pass within one large step is stopped", "[idea]")
     CHECK(found.crossings == 0);
     CHECK(found.stopped > 0);
     CHECK(found.unsure == 0);
+    CHECK_FALSE(found.lost);
+}
+
+TEST_CASE(
+    "a thick cloth that explodes ends its step at once with all where they were to each other and says so",
+    "[house]")
+{
+    for (const Real speed : {1e3, 1e6, 1e100, 1e300}) {
+        CAPTURE(speed);
+        TouchingCloth cloth = folding_sheet(20, 500, 0.01);
+        const TouchingCloth before = cloth;
+        Random random(5);
+        for (Index i = 0; i < cloth.bodies.u.size(); ++i) cloth.bodies.u[i] = random.uniform(-speed, speed);
+        TouchingMemory memory;
+        ClothSettings how;
+        how.method = ClothMethod::explicit_euler;
+        step(cloth, how, memory);
+        CHECK_FALSE(memory.solved);
+        CHECK(memory.self.lost);
+        CHECK(memory.self.found == 2);  // for the rows and for the stop; nothing is tried again
+        const Vec3 way = cloth.bodies.position(0) - before.bodies.position(0);
+        for (int k = 0; k < cloth.count(); ++k) {
+            const Vec3 off = cloth.bodies.position(k) - before.bodies.position(k) - way;
+            CHECK(off.norm() <= 1e-14 * (way.norm() + 1));  // rounding of places
+        }
+        // the same cloth at rest is none of that
+        cloth = before;
+        step(cloth, how, memory);
+        CHECK(memory.solved);
+        CHECK_FALSE(memory.self.lost);
+    }
+    // what is no number stays so, and the next step refuses it
+    TouchingCloth cloth = folding_sheet(20, 500, 0.01);
+    cloth.bodies.f[4] = 1e308;
+    TouchingMemory memory;
+    step(cloth, {.method = ClothMethod::explicit_euler}, memory);
+    CHECK_FALSE(memory.solved);
+    CHECK(memory.self.tested == 0);
+    CHECK(refusal([&] { step(cloth, {}, memory); }).find("must be a finite number") != std::string::npos);
 }
 
 TEST_CASE(
@@ -571,6 +685,36 @@ TEST_CASE("a sheet that rests sleeps and the other one has the same bits as with
     CHECK(cloth.bodies.x.head(3 * first) == slept);  // it does not creep
 }
 
+TEST_CASE("a copy of a cloth that may sleep goes on to the same bits after the first is gone", "[idea]")
+{
+    TouchingCloth cloth = sheet_on_ball(8, 1.0, 500, 0.5);
+    cloth.drag = 4, cloth.self_thickness = 0.01;
+    ClothSettings how;
+    how.method = ClothMethod::threads, how.substeps = 4, how.sweeps = 1;
+    auto first = std::make_unique<SleepingCloth>();
+    int n = 0;
+    for (; n < 600 && first->asleep() == 0; ++n) {
+        if (n % 40 != 20) {
+            first->step(cloth, how);
+            continue;
+        }
+        TouchingCloth other = cloth;
+        SleepingCloth copy = *first;
+        for (int k = 0; k < 20; ++k) first->step(cloth, how);
+        n += 19;
+        for (int k = 0; k < 20; ++k) copy.step(other, how);
+        CHECK(other.bodies.x == cloth.bodies.x);
+        CHECK(copy.asleep() == first->asleep());
+        *first = copy;  // and over one that is in use
+    }
+    CHECK(first->asleep() == 1);
+    SleepingCloth copy = *first;
+    first.reset();
+    cloth.bodies.velocity(0) << 0, 1, 0;
+    copy.step(cloth, how);
+    CHECK(copy.wakings == 1);
+}
+
 TEST_CASE("a cloth that sleeps wakes for wind for its pins for a hand and for what comes near", "[idea]")
 {
     const auto asleep = [](SleepingCloth& sleeping) {
@@ -669,10 +813,22 @@ TEST_CASE("a thickness or a mesh or a sleep that makes no sense is refused with 
     SleepingCloth rests;
     CHECK(refusal([&] { rests.step(pole, {}); }) ==
           "a cloth that may sleep has 5 ties; it must have none: what they hold is not left out");
+    CHECK(refusal([&] { tie(pole, pole.ties[1].particle, 0); }) ==
+          "a tie is of particle 5, which tie 1 has; a particle has one");
+    pole.ties[2].particle = 5;
+    CHECK(refusal([&] { require_valid(pole); }) ==
+          "tie 2 is of particle 5, which tie 1 has; a particle has one");
     pole.ties[1].solid = 3;
     TouchingMemory kept;
     CHECK(refusal([&] { step(pole, {}, kept); }) == "tie 1 is of particle 5 and solid 3; there are 20 and 1");
     SleepingCloth sleeping;
+    sleeping.still = std::nan("");
+    CHECK(refusal([&] { sleeping.step(cloth, {}); }) ==
+          "the way of a cloth that counts as still is nan; it must be zero or positive and finite");
+    sleeping.still = 0.002, sleeping.time = std::nan("");
+    CHECK(refusal([&] { sleeping.step(cloth, {}); }) ==
+          "the time after which a cloth sleeps is nan s; it must be zero or positive");
+    sleeping.time = 0.5;
     ClothSettings how;
     how.strength = 0.1;
     CHECK(refusal([&] { sleeping.step(cloth, how); }) ==

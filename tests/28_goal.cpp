@@ -105,6 +105,28 @@ TEST_CASE("a force and a torque move a solid that a cloth may touch", "[idea]")
     CHECK(cloth.solids.u[4] == Approx(0.008 / (0.4 * 2 * 0.01)).epsilon(1e-12));  // 2/5 m r²
 }
 
+TEST_CASE("a copy of a cloth and of its memory goes on to the same bits by every method", "[idea]")
+{
+    for (const ClothMethod method : every) {
+        INFO(to_string(method));
+        TouchingCloth cloth = catching_sheet(6, 300, 1, true, true);
+        cloth.self_thickness = 0.01, cloth.solids.u[1] = -4;
+        const ClothSettings how = swept(method, 16, 2);
+        auto memory = std::make_unique<TouchingMemory>();
+        for (int n = 0; n < 15; ++n) step(cloth, how, *memory);
+        CHECK_FALSE(memory->touch.contacts.empty());
+        TouchingCloth branch = cloth;
+        TouchingMemory copy = *memory;
+        for (int n = 0; n < 5; ++n) step(cloth, how, *memory);
+        memory.reset();  // nothing of the copy is the first one's
+        for (int n = 0; n < 5; ++n) step(branch, how, copy);
+        CHECK(cloth.bodies.x.allFinite());
+        CHECK(branch.bodies.x == cloth.bodies.x);
+        CHECK(branch.bodies.u == cloth.bodies.u);
+        CHECK(branch.solids.x == cloth.solids.x);
+    }
+}
+
 TEST_CASE("what falls freely does not deform by any method", "[idea]")
 {
     // a level sheet in free fall, of light squares and stiff threads, exploded in another program: warp, issue 642

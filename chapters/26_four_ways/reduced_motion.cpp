@@ -4,6 +4,7 @@
 #include "chapters/26_four_ways/reduced_motion.hpp"
 
 #include "chapters/12_contact_manifolds/scene_watch.hpp"
+#include "chapters/15_trees/newton_settings.hpp"
 #include "chapters/26_four_ways/order_four.hpp"
 
 #include <Eigen/LU>
@@ -324,7 +325,10 @@ void ReducedMotion::find_near(const JointedScene& scene, Real h)
         if (one.touches) return false;
         const Constraint<3> c = gap_of(one, bodies.x);
         const Real rate = bilateral(c, bodies.inverse_mass).velocity(bodies.u);
-        return c.C > 0.02 + 2 * h * std::abs(rate);
+        const Real arm = is_angle(c) ? length_ : 1;
+        return c.C * arm >
+               0.02 * length_ +
+                   2 * h * (std::abs(rate) * arm + h * scene.gravity.norm());
     });
 }
 
@@ -467,12 +471,15 @@ Status ReducedMotion::push(const JointedScene& scene, Real h, Real whole,
         rows.push_back(bilateral(c, scene.bodies.inverse_mass, c.C / whole));
     }
     for (const PushJoint& push : near_) {
-        const Real C = gap_of(push, x_).C, e = restitution_of(push);
+        const Constraint<3> c = gap_of(push, x_);
+        const Real C = c.C, e = restitution_of(push);
         Row<3> row = row_of(push);
         const Real v = row.velocity(u_);
         // closed within the step, and faster than what gravity gives in it
         const bool hits = C + h * v < 0 && v < -2 * h * scene.gravity.norm();
-        row.bias = C / (C > 0 ? h : whole);
+        // what it starts with comes out slowly: the velocity stays
+        const Real fastest = repair_speed * (is_angle(c) ? 1 : length_);
+        row.bias = C > 0 ? C / h : std::max(C / whole, -fastest);
         const auto normal = static_cast<int>(rows.size());
         if (hits && e > 0 && bounces_too) {
             bouncing.push_back({normal, row.bias});

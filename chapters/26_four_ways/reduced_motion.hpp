@@ -38,6 +38,8 @@ public:
     EventSettings
         settings;          ///< beyond most_events the rest of a step is one of rows
     Real restitution = 0;  ///< e of contacts and limits, besides that of surfaces
+    /// an overlap comes out at most so fast, and keeps that velocity [ℓ/s, rad/s]
+    static constexpr Real repair_speed = 1;
     /// contacts and limits: false for a scene where nothing ever touches
     bool touches = true;
     CollisionFilter filter;

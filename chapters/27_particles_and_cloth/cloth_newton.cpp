@@ -3,6 +3,8 @@
 
 #include "chapters/27_particles_and_cloth/cloth_newton.hpp"
 
+#include <Eigen/SparseCholesky>
+
 #include <algorithm>
 
 namespace rigid {
@@ -166,6 +168,7 @@ void ClothNewton::minimise(const ClothScene& cloth, const VecX& y, Real h, VecX&
         if (cloth.bodies.inverse_mass[3 * k] > 0)
             number_[static_cast<std::size_t>(k)] = free++;
     Real G = cloth_sums::merit(cloth, x, y, h);
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<Real>> factor;
     solved = false;
     for (steps = 0;; ++steps) {
         find_gradient(cloth, x, y, h);
@@ -189,12 +192,12 @@ void ClothNewton::minimise(const ClothScene& cloth, const VecX& y, Real h, VecX&
         });
         H_.resize(3 * free, 3 * free);
         H_.setFromTriplets(entries_.begin(), entries_.end());
-        factor_.compute(H_);
+        factor.compute(H_);
         VecX right(3 * free);
         for (int k = 0; k < cloth.count(); ++k)
             if (const int p = number_[static_cast<std::size_t>(k)]; p >= 0)
                 right.segment<3>(3 * p) = -gradient_.segment<3>(3 * k);
-        const VecX change = factor_.solve(right);
+        const VecX change = factor.solve(right);
         const Real slope = -cloth_sums::dot(right, change);
         // shorter until G falls; near its least value rounding hides the fall
         Real part = 1, next = G;

@@ -10,7 +10,7 @@
 
 #include "chapters/27_particles_and_cloth/cloth.hpp"
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 
 namespace rigid {
 
@@ -81,7 +81,6 @@ private:
 
     ClothModel model_;
     VecX gradient_, residual_, scaled_, direction_, image_, diagonal_, trial_;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<Real>> factor_;
     Eigen::SparseMatrix<Real> H_;
     std::vector<Eigen::Triplet<Real>> entries_;
     std::vector<int> number_;  ///< of a particle among those that can move

@@ -136,7 +136,7 @@ void ClothMemory::begin(ClothScene& cloth, const ClothSettings& settings)
         bodies.velocity(k) += way * (cloth.gravity + w * force.segment<3>(3 * k));
     }
     y = x0 + way * bodies.u;
-    bodies.x = y;
+    bodies.x = x0 + h * bodies.u;
 }
 //! [begin]
 
@@ -200,6 +200,7 @@ void ClothMemory::solve(const ClothScene& cloth, const ClothSettings& settings,
         break;
     case ClothMethod::newton:
     case ClothMethod::midpoint:
+        x = y;
         ClothNewton::begin(cloth, x0,
                            settings.method == ClothMethod::midpoint ? h / 2 : h, x);
         newton.minimise(cloth, y,

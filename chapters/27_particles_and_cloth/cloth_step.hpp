@@ -62,7 +62,7 @@ struct ClothSettings {
 /// Throws std::invalid_argument for a step, a count or a strain that makes no sense.
 void require_valid(const ClothSettings& settings);
 
-/// What the methods keep from step to step, and what they count.
+/// What the methods keep from step to step, and what they count. A copy of it goes on with a copy of the cloth to the same bits.
 struct ClothMemory {
     RowSweeps rows;
     ClothThreads threads;
@@ -77,13 +77,14 @@ struct ClothMemory {
     std::int64_t solves = 0;  ///< linear systems
     int torn = 0;
     std::int64_t drawn = 0;  ///< springs that were beyond their limit, pass by pass
-    bool solved =
-        true;  ///< false: an iteration of the last step met its limit first
+    /// false: an iteration of the last step met its limit first, or what the cloth
+    /// touches was beyond reach
+    bool solved = true;
 
     // The parts of step(), in this order.
     /// Refuses, and makes what does not change: factors, threads, colours.
     void prepare(const ClothScene& cloth, const ClothSettings& settings);
-    /// u*, x₀ and y; x = y.
+    /// u*, x₀ and y; x is where u* leads to in the whole (sub-)step, which is y but of the midpoint.
     void begin(ClothScene& cloth, const ClothSettings& settings);
     /// Λ = 0; then one pass of a method of rows.
     void begin_sweeps(const ClothScene& cloth, const ClothSettings& settings);
@@ -110,18 +111,21 @@ void add_wind(const ClothScene& cloth, VecX& f);
 //! [nothing]
 /// The stage of a cloth that touches nothing. What is not empty in another one:
 struct NothingTouched {
-    /// Refuses what makes no sense; once for each set of rows.
-    void prepare(const ClothScene&) {}
-    /// At the start of a sub-step of h, in which the cloth would go from x0 to y.
+    /// Refuses what makes no sense; once for each set of rows. Whether the step is by the midpoint.
+    void prepare(const ClothScene&, bool) {}
+    /// At the start of a sub-step of h, in which the cloth would go from x0 to x.
     void begin(ClothScene&, Real, const VecX&, const VecX&) {}
     /// What it touches if it comes from x0 to x.
     void find(const ClothScene&, const VecX&, const VecX&) {}
     /// One visit of each row.
     void visit(const ClothScene&, VecX&) {}
-    /// Of the midpoint, which has gone on from u0 (and what a limit has drawn back): what touches does not bounce.
-    void rest_in_the_middle(ClothScene&, Real, const VecX&) {}
-    /// With the velocities, and x0 of the sub-step.
-    void end(ClothScene&, Real, const VecX&) {}
+    /// What follows in this sub-step is what a limit draws back.
+    void begin_limit() {}
+    /// With the velocities, the sub-step and the whole step of (27.25); x0 and u0 of
+    /// the sub-step, u0 with what a limit has drawn back.
+    void end(ClothScene&, Real, Real, const VecX&, const VecX&) {}
+    /// False: something was beyond reach in this sub-step.
+    bool reached() const { return true; }
 };
 //! [nothing]
 
@@ -132,16 +136,16 @@ void step(Scene& cloth, const ClothSettings& settings, ClothMemory& now,
           Touch& touch)
 {
     require_valid(settings);
-    now.prepare(cloth, settings);
-    touch.prepare(cloth);
-    VecX& x = cloth.bodies.x;
-    const Real h = settings.part();
     const bool with_rows = sweeps_rows(settings.method),
                middle = settings.method == ClothMethod::midpoint;
+    now.prepare(cloth, settings);
+    touch.prepare(cloth, middle);
+    VecX& x = cloth.bodies.x;
+    const Real h = settings.part();
     now.solved = true;
     for (int part = 0; part < settings.substeps; ++part) {
         now.begin(cloth, settings);
-        touch.begin(cloth, h, now.x0, now.y);
+        touch.begin(cloth, h, now.x0, x);
         if (with_rows) {
             touch.find(cloth, now.x0, now.y);
             now.begin_sweeps(cloth, settings);
@@ -155,6 +159,7 @@ void step(Scene& cloth, const ClothSettings& settings, ClothMemory& now,
             touch.find(cloth, now.x0, x);
             touch.visit(cloth, x);
         }
+        touch.begin_limit();
         now.drawn_back.setZero(x.size());
         if (part + 1 == settings.substeps && settings.strain_limit < infinity) {
             now.drawn_back = x;
@@ -169,14 +174,13 @@ void step(Scene& cloth, const ClothSettings& settings, ClothMemory& now,
             now.drawn_back = x - now.drawn_back;
         }
         now.end(cloth, settings);
-        if (middle)
-            touch.rest_in_the_middle(cloth, h,
-                                     now.u0 + now.drawn_back / settings.h);
-        touch.end(cloth, h, now.x0);
+        now.u0 += now.drawn_back / settings.h;
+        touch.end(cloth, h, settings.h, now.x0, now.u0);
+        now.solved = now.solved && touch.reached();
         if (settings.strength < infinity) {
             now.torn += tear(cloth, settings.strength);
             now.prepare(cloth, settings);
-            touch.prepare(cloth);
+            touch.prepare(cloth, middle);
         }
     }
 }

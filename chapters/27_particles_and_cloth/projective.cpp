@@ -3,6 +3,8 @@
 
 #include "chapters/27_particles_and_cloth/projective.hpp"
 
+#include <Eigen/SparseCholesky>
+
 #include <algorithm>
 
 namespace rigid {
@@ -42,14 +44,14 @@ void Projective::prepare(const ClothScene& cloth, Real h)
     const auto n = static_cast<Index>(free.size());
     Eigen::SparseMatrix<Real> P(n, n);
     P.setFromTriplets(entries.begin(), entries.end());
-    factor_.compute(P);
-    pivot_ = factor_.vectorD();
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<Real>> ldlt(P);
+    factor_ = ldlt.matrixL().nestedExpression(), pivot_ = ldlt.vectorD();
     order_.resize(free.size()), right_.resize(free.size());
     for (std::size_t p = 0; p < free.size();
          ++p)  // line of the factor, where a permutation is
-        order_[factor_.permutationP().size() > 0
+        order_[ldlt.permutationP().size() > 0
                    ? static_cast<std::size_t>(
-                         factor_.permutationP().indices()[static_cast<Index>(p)])
+                         ldlt.permutationP().indices()[static_cast<Index>(p)])
                    : p] = free[p];
 }
 
@@ -66,10 +68,9 @@ void Projective::pass(const ClothScene& cloth, const VecX& y, Real h, VecX& x)
                     (x.segment<3>(k) - y.segment<3>(k)) / (h * h * w);
         residual = std::max(residual, h * h * w * right_[i].norm());
     }
-    const Eigen::SparseMatrix<Real>& L = factor_.matrixL().nestedExpression();
-    const auto* const first = L.outerIndexPtr();
-    const auto* const line = L.innerIndexPtr();
-    const Real* const value = L.valuePtr();
+    const auto* const first = factor_.outerIndexPtr();
+    const auto* const line = factor_.innerIndexPtr();
+    const Real* const value = factor_.valuePtr();
     const auto n = static_cast<Index>(order_.size());
     const auto at = [this](Index i) -> Vec3& {
         return right_[static_cast<std::size_t>(i)];

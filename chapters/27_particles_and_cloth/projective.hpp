@@ -10,7 +10,7 @@
 
 #include "chapters/27_particles_and_cloth/cloth.hpp"
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 
 namespace rigid {
 
@@ -24,14 +24,11 @@ public:
     /// One local and one global pass.
     void pass(const ClothScene& cloth, const VecX& y, Real h, VecX& x);
     /// Entries of the factor.
-    Index entries() const
-    {
-        return factor_.matrixL().nestedExpression().nonZeros();
-    }
+    Index entries() const { return factor_.nonZeros(); }
 
 private:
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<Real>> factor_;
-    std::vector<int> order_;  ///< particle of each line of the factor
+    Eigen::SparseMatrix<Real> factor_;  ///< L below its diagonal of ones
+    std::vector<int> order_;            ///< particle of each line of the factor
     std::vector<Vec3> right_;
     VecX force_, pivot_;
 };

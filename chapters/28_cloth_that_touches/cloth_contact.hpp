@@ -68,43 +68,62 @@ struct ClothContact {
 };
 //! [contact]
 
+/// (28.5): the impulse that the midpoint takes back of a contact's Λ n + Λ_t [N s].
+/// \param bounce  ū − u₀ along the contact: half of what its velocity has changed by [m/s]
+/// \param A, At    along the normal and across [1/kg]
+/// \param most     of Λ_t: less than that sticks [N s²]
+Vec3 taken_back(const Vec3& bounce, const Vec3& normal, Real lambda,
+                const Vec3& slide, Real A, Real At, Real most, Real h);
+
 /// What contacts need to know of each solid, and what is kept from step to step.
 struct ClothTouch {
+    bool middle = false;  ///< the step is by the midpoint
     std::vector<Mat3> R;  ///< of the solids at the start of the sub-step
-    VecX moved;           ///< δ of each: centre [m], turn in its axes [rad]
+    VecX u0;     ///< velocities of the solids there, with what a limit drew back
+    VecX moved;  ///< δ of each: centre [m], turn in its axes [rad]
+    VecX unlimited;  ///< δ before a limit of strain drew back
     std::vector<ClothContact> contacts;
     Real margin = 0;               ///< particles that come as near have a row [m]
     std::vector<int> stack, near;  ///< memory for the trees of meshes
 
-    /// Solids at the start of a sub-step, with gravity in their velocities: δ = h u.
+    /// Solids at the start of a sub-step, with gravity in their velocities: δ = h u*.
     void begin(TouchingCloth& cloth, Real h);
     /// The contacts of particles that are at x and came from x0.
     void find(const TouchingCloth& cloth, const VecX& x0, const VecX& x);
     /// One visit of each tie, and of each contact, normal then disc.
     void visit(const TouchingCloth& cloth, VecX& x);
-    /// Solids get the velocity of δ, calm(), and move by δ.
+    /// Solids get the velocity of δ, as particles by (27.25) and (27.15).
+    void set_velocities(TouchingCloth& cloth, Real h, Real whole);
+    /// (28.5): of the midpoint, whose velocities have gone on from u0, what touches does not bounce.
+    void rest_in_the_middle(TouchingCloth& cloth, Real h, const VecX& u0) const;
+    /// calm(); solids move by δ.
     void end(TouchingCloth& cloth, Real h);
     /// What pushed an overlap out is no velocity: a contact that pushed does not part.
     void calm(TouchingCloth& cloth, Real h) const;
 
-    /// How far a point of a solid has moved with it [m]. \param arm  from its centre
-    Vec3 way(int solid, const Vec3& arm) const
+    /// How far a point of a solid has moved with it if all moved by δ, or its velocity
+    /// if δ is that of all. \param arm  from its centre [m]
+    Vec3 way(const VecX& delta, int solid, const Vec3& arm) const
     {
         const auto k = static_cast<std::size_t>(solid);
-        return moved.segment<3>(6 * solid) +
-               cross(R[k] * moved.segment<3>(6 * solid + 3), arm);
+        return delta.segment<3>(6 * solid) +
+               cross(R[k] * delta.segment<3>(6 * solid + 3), arm);
     }
-    /// Adds P [N s²] to a solid at the end of an arm.
-    void push(const TouchingCloth& cloth, int solid, const Vec3& arm, const Vec3& P)
+    /// Adds P to a solid at the end of an arm: [N s²] to a δ, [N s] to a velocity.
+    void push(const TouchingCloth& cloth, VecX& delta, int solid, const Vec3& arm,
+              const Vec3& P) const
     {
         const auto inverse = cloth.solids.inverse_mass.segment<6>(6 * solid);
         const auto k = static_cast<std::size_t>(solid);
-        moved.segment<3>(6 * solid) += inverse.head<3>().cwiseProduct(P);
-        moved.segment<3>(6 * solid + 3) +=
+        delta.segment<3>(6 * solid) += inverse.head<3>().cwiseProduct(P);
+        delta.segment<3>(6 * solid + 3) +=
             inverse.tail<3>().cwiseProduct(R[k].transpose() * cross(arm, P));
     }
 
 private:
+    /// P at a tie that takes d of its particle's way on its solid.
+    Vec3 tie_impulse(const TouchingCloth& cloth, const ClothTie& tie,
+                     const Vec3& d) const;
     void visit_ties(const TouchingCloth& cloth, VecX& x);
 };
 

@@ -3,6 +3,8 @@
 
 #include "chapters/28_cloth_that_touches/cloth_self.hpp"
 
+#include "chapters/28_cloth_that_touches/cloth_contact.hpp"
+
 #include <algorithm>
 
 namespace rigid {
@@ -32,6 +34,24 @@ std::array<Vec3, 4> corners(const ClothParts& parts, const VecX& x)
 {
     const auto& p = parts.p;
     return {at(x, p[0]), at(x, p[1]), at(x, p[2]), at(x, p[3])};
+}
+
+/// d of a row, or how fast it changes.
+Vec3 row_value(const ClothSelfRow& row, const VecX& x)
+{
+    Vec3 d(0, 0, 0);
+    for (std::size_t i = 0; i < 4; ++i) d += row.w[i] * at(x, row.parts.p[i]);
+    return d;
+}
+
+/// Adds P along a row: [N s²] to places, [N s] to velocities.
+void push(const TouchingCloth& cloth, const ClothSelfRow& row, const Vec3& P,
+          VecX& x)
+{
+    for (std::size_t i = 0; i < 4; ++i) {
+        const int p = row.parts.p[i];
+        x.segment<3>(3 * p) += cloth.bodies.inverse_mass[3 * p] * row.w[i] * P;
+    }
 }
 
 }  // namespace cloth_self
@@ -111,7 +131,8 @@ void ClothSelf::prepare(const TouchingCloth& cloth)
     for (const ClothSpring& s : cloth.springs)
         shortest_ = std::min(shortest_, s.length);
     if (cloth.springs.empty()) shortest_ = 4 * cloth.self_thickness;
-    found_at_.resize(0);
+    parts_count_ = cloth.count() + std::ssize(edges_) + std::ssize(triangles_);
+    horizon_ = 0;  // no list yet
     pairs_.clear(), rows.clear();
 }
 
@@ -136,6 +157,7 @@ ClothSelf::Part ClothSelf::part_of(const std::array<int, N>& p, const VecX& x,
 bool ClothSelf::add(const ClothParts& parts, const Part& a, const Part& b,
                     const VecX& x, Real extra)
 {
+    ++looks_;
     const Real reach = extra + (a.way - b.way).norm() + a.spread + b.spread,
                around = reach + a.radius + b.radius;
     if ((a.middle - b.middle).squaredNorm() > around * around) return false;
@@ -159,6 +181,7 @@ void ClothSelf::find(const VecX& x, const VecX& way, Real extra)
     pairs_.clear(), near_.clear();
     const auto K = static_cast<int>(x.size() / 3);
     const Vec3 mean = cloth_self::mean_of(way);
+    if (!mean.allFinite()) looks_ = most_looks * parts_count_ + 1;
     const auto own = [&mean](const Part& part) {
         return (part.way - mean).norm() + part.spread;
     };
@@ -173,6 +196,7 @@ void ClothSelf::find(const VecX& x, const VecX& way, Real extra)
     const Real cell = 2 * shortest_ + extra + fastest;
     grid_.fill(points_, cell);
     for (const auto& t : triangles_) {
+        if (beyond()) return;
         const Part here = part_of(t, x, way);
         const Vec3 around =
             Vec3::Constant(here.radius + extra + own(here) + fastest);
@@ -190,7 +214,7 @@ void ClothSelf::find(const VecX& x, const VecX& way, Real extra)
         longest = std::max(longest, parts_.back().radius);
     }
     grid_.fill(points_, cell);
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
+    for (std::size_t i = 0; i < edges_.size() && !beyond(); ++i) {
         const Part& here = parts_[i];
         const Vec3 around =
             Vec3::Constant(here.radius + longest + extra + own(here) + 2 * fastest);
@@ -221,8 +245,8 @@ void ClothSelf::begin(const TouchingCloth& cloth, const VecX& x0, const VecX& y)
     // A list is made for the ways of some sub-steps. It has all pairs that may come
     // near, as long as nothing strays from those by more than half of the slack.
     const Real near_by = 1.25 * cloth.self_thickness, slack = shortest_ / 6;
-    ++age_;
-    if (3 * strayed(y) > slack) {
+    ++age_, looks_ = 0, lost = false;
+    if (!(3 * strayed(y) <= slack)) {
         found_at_ = x0, planned_ = y - x0, age_ = 0;
         horizon_ = 8 * farthest(planned_) < shortest_ / 4 ? 8 : 2;
         slack_ = slack;
@@ -234,6 +258,7 @@ void ClothSelf::begin(const TouchingCloth& cloth, const VecX& x0, const VecX& y)
             near_.push_back(nearest(corners(parts, x0), parts.edges));
     }
     rows.clear();
+    if (beyond()) pairs_.clear(), near_.clear(), horizon_ = 0;
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
         const ClothParts& parts = pairs_[k];
         const ClothNear& near = near_[k];
@@ -258,11 +283,8 @@ void ClothSelf::begin(const TouchingCloth& cloth, const VecX& x0, const VecX& y)
 //! [visit]
 void ClothSelf::visit(const TouchingCloth& cloth, VecX& x)
 {
-    const VecX& inverse = cloth.bodies.inverse_mass;
     for (ClothSelfRow& row : rows) {
-        const auto& p = row.parts.p;
-        Vec3 d(0, 0, 0);
-        for (std::size_t i = 0; i < 4; ++i) d += row.w[i] * at(x, p[i]);
+        const Vec3 d = row_value(row, x);
         const Real C = row.normal.dot(d) - cloth.self_thickness;
         const Real next = std::max(Real{0}, row.lambda - C / row.A);
         Vec3 P = (next - row.lambda) * row.normal;
@@ -276,12 +298,24 @@ void ClothSelf::visit(const TouchingCloth& cloth, VecX& x)
             P += slide - row.slide;
             row.slide = slide;
         }
-        if (P.isZero(0)) continue;
-        for (std::size_t i = 0; i < 4; ++i)
-            x.segment<3>(3 * p[i]) += inverse[3 * p[i]] * row.w[i] * P;
+        if (!P.isZero(0)) push(cloth, row, P, x);
     }
 }
 //! [visit]
+
+void ClothSelf::rest_in_the_middle(TouchingCloth& cloth, Real h,
+                                   const VecX& u0) const
+{
+    for (const ClothSelfRow& row : rows) {
+        if (!(row.lambda > 0)) continue;
+        const Vec3 bounce =
+            (row_value(row, cloth.bodies.u) - row_value(row, u0)) / 2;
+        push(cloth, row,
+             taken_back(bounce, row.normal, row.lambda, row.slide, row.A, row.A,
+                        cloth.self_friction * row.lambda, h),
+             cloth.bodies.u);
+    }
+}
 
 void ClothSelf::calm(TouchingCloth& cloth) const
 {
@@ -291,19 +325,15 @@ void ClothSelf::calm(TouchingCloth& cloth) const
         for (std::size_t i = 0; i < 4; ++i)
             parts +=
                 row.w[i] * row.normal.dot(cloth.bodies.velocity(row.parts.p[i]));
-        if (!(parts > 0)) continue;
-        const Vec3 P = -parts / row.A * row.normal;
-        for (std::size_t i = 0; i < 4; ++i)
-            cloth.bodies.velocity(row.parts.p[i]) +=
-                cloth.bodies.inverse_mass[3 * row.parts.p[i]] * row.w[i] * P;
+        if (parts > 0)
+            push(cloth, row, -parts / row.A * row.normal, cloth.bodies.u);
     }
 }
 
 //! [free_part]
 /// The part of its way that a pair may go: in steps of nine tenths of what (28.4) allows, until it is at its end or at a
 /// tenth of the distance that it began with.
-Real ClothSelf::free_part(const ClothParts& parts, const VecX& x0,
-                          const VecX& x) const
+Real ClothSelf::free_part(const ClothParts& parts, const VecX& x0, const VecX& x)
 {
     std::array<Vec3, 4> way;
     Vec3 mean(0, 0, 0);
@@ -320,6 +350,7 @@ Real ClothSelf::free_part(const ClothParts& parts, const VecX& x0,
     std::array<Vec3, 4> here;
     Real s = 0, start = 0;
     for (int n = 0;; ++n) {
+        ++looks_;
         for (std::size_t i = 0; i < 4; ++i) here[i] = start_at[i] + s * way[i];
         const Real d = nearest(here, parts.edges).d.norm();
         if (n == 0) start = d;
@@ -349,6 +380,8 @@ bool ClothSelf::halt_pairs(const TouchingCloth& cloth, const VecX& x0, VecX& x,
     // sixteen with that of all, and the passes end.
     bool any = false;
     for (int pass = 0;; ++pass) {
+        looks_ += std::ssize(pairs_);
+        if (beyond()) return true;
         int danger = 0;
         bool changed = false;
         for (std::size_t k = 0; k < pairs_.size(); ++k) {
@@ -385,14 +418,15 @@ void ClothSelf::stop(const TouchingCloth& cloth, const VecX& x0, VecX& x)
     if (2 * strayed(x) <= slack_) {
         // the list has all that could meet; those that stop may stray farther
         halt_pairs(cloth, x0, x, all);
-        if (2 * strayed(x) <= slack_) return count_halted();
+        if (!beyond() && 2 * strayed(x) <= slack_) return count_halted();
     }
     horizon_ = 0;  // the list is for this sub-step
     for (int round = 0;; ++round) {
         way_ = x - x0;
         find(x0, way_, 0);
-        if (!halt_pairs(cloth, x0, x, all)) break;
-        if (round < 8) continue;
+        if (!beyond() && !halt_pairs(cloth, x0, x, all)) break;
+        if (round < 8 && !beyond()) continue;
+        lost = beyond();
         for (int p = 0; p < cloth.count(); ++p)  // all go with their mean
             if (cloth.bodies.inverse_mass[3 * p] > 0) {
                 x.segment<3>(3 * p) = at(x0, p) + all;

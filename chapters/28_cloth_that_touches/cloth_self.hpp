@@ -98,14 +98,22 @@ public:
     /// pairs that cannot be promised: at a distance of nothing, or between pins that
     /// would not stop
     std::int64_t unsure = 0;
+    /// the last sub-step went beyond reach: it listed or looked at more pairs than it
+    /// may, or its ways are no numbers, and all particles went with their mean
+    bool lost = false;
+    /// in a sub-step, for each particle, edge and triangle; a cloth that falls into
+    /// folds lists up to 16 and looks at up to 7,000, with stops
+    static constexpr std::int64_t most_listed = 100, most_looks = 10000;
     std::size_t pairs() const { return pairs_.size(); }
 
     /// For a cloth whose triangles have changed.
     void prepare(const TouchingCloth& cloth);
-    /// The rows of a sub-step from x0, where y is what it would be without rows.
+    /// The rows of a sub-step from x0, where y is where it would end without rows.
     void begin(const TouchingCloth& cloth, const VecX& x0, const VecX& y);
     /// One visit of each row, normal then disc.
     void visit(const TouchingCloth& cloth, VecX& x);
+    /// (28.5), as ClothTouch's.
+    void rest_in_the_middle(TouchingCloth& cloth, Real h, const VecX& u0) const;
     /// What pushed an overlap out is no velocity: parts that were pushed do not part.
     void calm(TouchingCloth& cloth) const;
     /// Stops what would meet on the straight way from x0 to x. Velocities stay.
@@ -128,7 +136,12 @@ private:
     {
         for (const char one : halted_) stopped += one;
     }
-    Real free_part(const ClothParts& parts, const VecX& x0, const VecX& x) const;
+    bool beyond() const
+    {
+        return looks_ > most_looks * parts_count_ ||
+               std::ssize(pairs_) > most_listed * parts_count_;
+    }
+    Real free_part(const ClothParts& parts, const VecX& x0, const VecX& x);
     bool halt_pairs(const TouchingCloth& cloth, const VecX& x0, VecX& x,
                     const Vec3& all);
 
@@ -146,6 +159,7 @@ private:
     int age_ = 0, horizon_ = 0;
     Real slack_ = 0;
     std::vector<char> halted_;
+    std::int64_t looks_ = 0, parts_count_ = 0;  ///< of this sub-step; of this cloth
 };
 
 }  // namespace rigid

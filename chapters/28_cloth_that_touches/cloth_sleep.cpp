@@ -308,6 +308,12 @@ void SleepingCloth::give_back(TouchingCloth& cloth, const ClothSettings& setting
 void SleepingCloth::step(TouchingCloth& cloth, const ClothSettings& settings)
 {
     require_valid(settings);
+    if (!(still >= 0 && still < infinity))  // a sentence asks for memory
+        require_not_negative(still, "the way of a cloth that counts as still");
+    if (!(time >= 0))
+        throw std::invalid_argument("the time after which a cloth sleeps is " +
+                                    shortest(time) +
+                                    " s; it must be zero or positive");
     if (settings.strength < infinity)
         throw std::invalid_argument("the strength of a cloth that may sleep is " +
                                     shortest(settings.strength) +

@@ -13,17 +13,18 @@
 
 namespace rigid {
 
+/// A copy of it goes on with a copy of the cloth to the same bits.
 class SleepingCloth {
 public:
     Real still = 0.002;     ///< [m]
-    Real time = 0.5;        ///< [s]
+    Real time = 0.5;        ///< [s]; infinite: nothing sleeps
     TouchingMemory memory;  ///< of the parts that are awake
     // Counted since it was made.
     std::int64_t skipped = 0;  ///< particles that were left out, step by step
     int wakings = 0, sleeps = 0;
 
-    /// A step. Throws std::invalid_argument as rigid::step() does, and for a cloth that
-    /// may tear or has ties, or whose particles and rows are not the same as before without a
+    /// A step. Throws std::invalid_argument as rigid::step() does, for a `still` or `time`
+    /// that makes no sense, and for a cloth that may tear or has ties, or whose particles and rows are not the same as before without a
     /// change of `changes`.
     void step(TouchingCloth& cloth, const ClothSettings& settings);
     void wake();

@@ -20,6 +20,17 @@ void require_there(const TouchingCloth& cloth, int particle, int solid,
             " and " + std::to_string(cloth.solids.count()));
 }
 
+/// \param before  so many ties are looked at
+void require_untied(const TouchingCloth& cloth, int particle, std::size_t before,
+                    const std::string& who)
+{
+    for (std::size_t i = 0; i < before; ++i)
+        if (cloth.ties[i].particle == particle)
+            throw std::invalid_argument(
+                who + " is of particle " + std::to_string(particle) +
+                ", which tie " + std::to_string(i) + " has; a particle has one");
+}
+
 /// A ball has no edges, and a capsule a straight part along y alone.
 void require_shape(const ClothSolid& s, const std::string& who)
 {
@@ -75,6 +86,7 @@ void require_touchable(const TouchingCloth& cloth)
         const ClothTie& t = cloth.ties[i];
         const std::string who = "tie " + std::to_string(i);
         require_there(cloth, t.particle, t.solid, who);
+        require_untied(cloth, t.particle, i, who);
         if (!t.at.allFinite())
             throw std::invalid_argument("the place of " + who + " is not finite");
     }
@@ -141,6 +153,7 @@ int add_solid(TouchingCloth& cloth, const ClothSolid& shape, Real mass,
 void tie(TouchingCloth& cloth, int particle, int solid)
 {
     require_there(cloth, particle, solid, "a tie");
+    require_untied(cloth, particle, cloth.ties.size(), "a tie");
     const Mat3 axes = rotation_of(cloth.solids.x, solid);
     cloth.ties.push_back({particle, solid,
                           axes.transpose() * (cloth.bodies.position(particle) -

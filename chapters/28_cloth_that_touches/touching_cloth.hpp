@@ -45,7 +45,7 @@ struct TouchingCloth : ClothScene {
 };
 
 /// Throws std::invalid_argument as that of a cloth does, and unless there is a shape for each solid and a particle
-/// and a solid for each tie, thicknesses and frictions are finite and not negative, and twice the thickness against itself is at most the length of each spring.
+/// of its own and a solid for each tie, thicknesses and frictions are finite and not negative, and twice the thickness against itself is at most the length of each spring.
 void require_valid(const TouchingCloth& cloth);
 /// The part of it that chapter 27 does not check.
 void require_touchable(const TouchingCloth& cloth);
@@ -61,7 +61,7 @@ Vec3 momentum(const TouchingCloth& cloth);
 int add_solid(TouchingCloth& cloth, const ClothSolid& shape, Real mass,
               const Vec3& at, const Vec3& theta = {0, 0, 0});
 
-/// Ties a particle to a solid at the place where it is. Throws std::invalid_argument unless both are there.
+/// Ties a particle to a solid at the place where it is. Throws std::invalid_argument unless both are there, and for a particle that is tied.
 void tie(TouchingCloth& cloth, int particle, int solid);
 
 }  // namespace rigid

@@ -7,8 +7,9 @@
 
 namespace rigid {
 
-void ClothTouching::prepare(const TouchingCloth& cloth)
+void ClothTouching::prepare(const TouchingCloth& cloth, bool middle)
 {
+    touch.middle = middle;
     const Key now{static_cast<std::size_t>(cloth.count()),
                   cloth.springs.size(),
                   cloth.shapes.size(),
@@ -35,36 +36,21 @@ void ClothTouching::prepare(const TouchingCloth& cloth)
 }
 
 void ClothTouching::begin(TouchingCloth& cloth, Real h, const VecX& x0,
-                          const VecX& y)
+                          const VecX& x)
 {
     touch.begin(cloth, h);
-    if (cloth.self_thickness > 0) self.begin(cloth, x0, y);
-    else self.rows.clear();
+    if (cloth.self_thickness > 0) self.begin(cloth, x0, x);
+    else self.rows.clear(), self.lost = false;
 }
 
-//! [rest_in_the_middle]
-void ClothTouching::rest_in_the_middle(TouchingCloth& cloth, Real h,
-                                       const VecX& u0) const
+void ClothTouching::end(TouchingCloth& cloth, Real h, Real whole, const VecX& x0,
+                        const VecX& u0)
 {
-    for (const ClothContact& c : touch.contacts) {
-        if (!(c.lambda > 0)) continue;
-        auto u = cloth.bodies.velocity(c.particle);
-        const Vec3 bounce = (u - u0.segment<3>(3 * c.particle)) / 2;
-        const Real mu = cloth.shapes[static_cast<std::size_t>(c.solid)].friction;
-        if (c.slide.norm() < (1 - 1e-9) * mu * c.lambda) {  // it sticks
-            u -= bounce;
-            continue;
-        }
-        const Real w = cloth.bodies.inverse_mass[3 * c.particle] / h;
-        const Real part = c.normal.dot(bounce) / (w * c.lambda);
-        u -= std::clamp(part, Real{0}, Real{1}) * w *
-             (c.lambda * c.normal + c.slide);
+    touch.set_velocities(cloth, h, whole);
+    if (touch.middle) {
+        touch.rest_in_the_middle(cloth, h, u0);
+        self.rest_in_the_middle(cloth, h, u0);
     }
-}
-//! [rest_in_the_middle]
-
-void ClothTouching::end(TouchingCloth& cloth, Real h, const VecX& x0)
-{
     self.calm(cloth);
     if (cloth.self_thickness > 0) self.stop(cloth, x0, cloth.bodies.x);
     touch.end(cloth, h);

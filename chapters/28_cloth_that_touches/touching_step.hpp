@@ -20,8 +20,8 @@ struct ClothTouching {
     ClothTouch touch;
     ClothSelf self;  ///< unless the thickness against itself is zero
 
-    void prepare(const TouchingCloth& cloth);
-    void begin(TouchingCloth& cloth, Real h, const VecX& x0, const VecX& y);
+    void prepare(const TouchingCloth& cloth, bool middle = false);
+    void begin(TouchingCloth& cloth, Real h, const VecX& x0, const VecX& x);
     void find(const TouchingCloth& cloth, const VecX& x0, const VecX& x)
     {
         touch.find(cloth, x0, x);
@@ -31,8 +31,10 @@ struct ClothTouching {
         touch.visit(cloth, x);
         self.visit(cloth, x);
     }
-    void rest_in_the_middle(TouchingCloth& cloth, Real h, const VecX& u0) const;
-    void end(TouchingCloth& cloth, Real h, const VecX& x0);
+    void begin_limit() { touch.unlimited = touch.moved; }
+    void end(TouchingCloth& cloth, Real h, Real whole, const VecX& x0,
+             const VecX& u0);
+    bool reached() const { return !self.lost; }
 
 private:
     struct Key {
