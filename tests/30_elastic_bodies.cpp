@@ -483,4 +483,10 @@ TEST_CASE("bad meshes and materials are refused by a sentence", "[house]")
               ElasticModel<2>(m, {});
           }) == "node 4 of element 0 is 0.25 m from the middle of its edge; it must be there");
     CHECK(mesh([](auto& m) { m.rest[1] = NAN; }) == "rest[1] is nan; it must be a finite number");
+    CHECK(sentence_of([] { edge_length(ElasticMesh<2>{}); }) == "a mesh has no element 0; it has 0");
+    CHECK(sentence_of([] { measure_of(one_triangle(), 1); }) == "a mesh has no element 1; it has 1");
+    ElasticMesh<2> torn = one_triangle();
+    torn.elements[2] = 7;
+    CHECK(sentence_of([&torn] { quadratic(torn); }) == "element 0 has the node 7; there are 3");
+    CHECK(sentence_of([&torn] { edge_length(torn); }) == "element 0 has the node 7; there are 3");
 }

@@ -268,6 +268,35 @@ TEST_CASE("friction of an elastic body is the same in every direction", "[idea]"
     }
 }
 
+TEST_CASE("a body in space that is held in a fixed one is not thrown out of it", "[idea]")
+{
+    // a floor that its held face is sunk into, and a post of 4 mm near a node that is held
+    for (const bool is_floor : {true, false}) {
+        const Real sink = is_floor ? 0.02 : 0;
+        ElasticSpace scene(
+            ElasticBody<3>(block_mesh({0, -sink, -0.2}, {0.6, 0.3, 0.4}, 3, 2, 2), {.young = 1e5}));
+        ElasticBody<3>& body = scene.elastic;
+        if (is_floor) body.gravity = scene.gravity;
+        for (int i = 0; i < body.model.nodes(); ++i)
+            if (is_floor ? body.at(i).y() < 1e-9 - sink : body.at(i).x() < 1e-9) body.hold(i);
+        const Real width = is_floor ? 4 : 0.004;
+        const Index fixed = add_body(scene, {solid_box({width, 1, width})}, Real{1000},
+                                     is_floor ? Vec3(0, -0.5, 0) : Vec3(0.03, -0.48, 0.05));
+        scene.bodies.inverse_mass.segment<6>(6 * fixed).setZero();
+        ElasticBody<3> alone = body;
+        ElasticSolids contacts;
+        ElasticSolver<3> solver;
+        for (int n = 0; n < 5; ++n) {
+            contacts.step(scene, 0.01);
+            solver.step(alone, 0.01);
+            CHECK(contacts.report.status == Status::solved);
+        }
+        if (!is_floor) CHECK(!contacts.rows.empty());
+        // to the tolerances of both, 1e-8 and 1e-9 of an edge of 0.2 m
+        CHECK((body.x - alone.x).cwiseAbs().maxCoeff() < 1e-8);
+    }
+}
+
 TEST_CASE("a ground of triangles is a wall to an elastic body", "[idea]")
 {
     ElasticSpace on_wall(block(StrainLaw::neo_hookean, 0.03)), on_mesh = on_wall;

@@ -35,16 +35,20 @@ void CompliantRow<Dim>::add_push(Real scale, const std::vector<char>& fixed,
 }
 
 template <int Dim>
-bool CompliantRow<Dim>::is_stuck(const ElasticBody<Dim>& body, const VecX& u) const
+CompliantRow<Dim>::Held
+CompliantRow<Dim>::held_by(const ElasticBody<Dim>& body) const
 {
+    if (!(rigid.Wa.array() == 0).all() || !(rigid.Wb.array() == 0).all())
+        return Held::none;
+    bool some_held = false, some_free = false;
     for (int i = 0; i < count; ++i)
         for (int c = 0; c < Dim; ++c)
-            if (push(i, c) != 0 &&
-                !body.fixed[static_cast<std::size_t>(
-                    Dim * node[static_cast<std::size_t>(i)] + c)])
-                return false;
-    return (rigid.Wa.array() == 0).all() && (rigid.Wb.array() == 0).all() &&
-           velocity(body.v, u) < 0;
+            if (push(i, c) != 0)
+                (body.fixed[static_cast<std::size_t>(
+                     Dim * node[static_cast<std::size_t>(i)] + c)]
+                     ? some_held
+                     : some_free) = true;
+    return !some_free ? Held::all : some_held ? Held::some : Held::none;
 }
 
 template <int Dim>
@@ -58,15 +62,6 @@ void CompliantStep<Dim>::find_answers(const ElasticBody<Dim>& body)
         solver.factor.solve(answer_[i]);
         ++answers;
     }
-}
-
-template <int Dim>
-void CompliantStep<Dim>::add_answers(Real h, ElasticBody<Dim>& body) const
-{
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (const Real lambda = solution.lambda[static_cast<Index>(i)];
-            rows[i].count > 0 && lambda != 0)
-            body.x += (h * lambda) * answer_[i];
 }
 
 template <int Dim>
@@ -105,6 +100,10 @@ void CompliantStep<Dim>::require_valid(Real friction, Real skin, Real margin) co
             throw std::invalid_argument(
                 "the " + std::string(name) + " of an elastic scene is " +
                 shortest(value) + "; it must be zero or positive");
+    if (!(max_correction_speed > 0))
+        throw std::invalid_argument("the maximum correction speed is " +
+                                    shortest(max_correction_speed) +
+                                    " m/s; it must be positive");
     if (solver.settings.solve != LinearSolve::direct)
         throw std::invalid_argument(
             "contacts of an elastic body need its factor; choose "

@@ -40,9 +40,15 @@ struct CompliantRow {
     Real velocity(const VecX& v, const VecX& u) const;
     /// f ← f + scale Jᵀ, on freedoms that are not fixed
     void add_push(Real scale, const std::vector<char>& fixed, VecX& f) const;
+    /// How much of what it pushes cannot give way: on a body that can move, none.
+    enum class Held : unsigned char { none, some, all };
+    Held held_by(const ElasticBody<Dim>& body) const;
     /// Whether w is negative and no λ changes it: nodes that are held and a body that
     /// cannot move overlap, or come together.
-    bool is_stuck(const ElasticBody<Dim>& body, const VecX& u) const;
+    bool is_stuck(const ElasticBody<Dim>& body, const VecX& u) const
+    {
+        return held_by(body) == Held::all && velocity(body.v, u) < 0;
+    }
 };
 
 template <int Dim>
@@ -51,9 +57,10 @@ public:
     static constexpr int dof = CompliantRow<Dim>::dof;
     /// by implicit Euler, with its factor; its iterations and tolerance are those below
     ElasticSolver<Dim> solver;
-    int most = 12;          ///< iterations of Newton's method
+    int most = 30;          ///< iterations of Newton's method
     Real tolerance = 1e-8;  ///< of the residual with the impulses in it
     Real repaid = 0.2;      ///< share of an overlap that a step pushes out
+    Real max_correction_speed = infinity;  ///< at which it does so [m/s]
 
     std::vector<CompliantRow<Dim>> rows;  ///< of the last step
     Solution solution;                    ///< λ of these [N s]
@@ -69,6 +76,22 @@ protected:
     void iterate(ElasticBody<Dim>& body, Bodies<dof>& bodies, Real h,
                  const Solve& solve);
 
+    /// b of a contact with that gap, or overlap [m/s].
+    Real bias_of(Real gap, Real h) const
+    {
+        return gap > 0 ? gap / h
+                       : std::max(repaid * gap / h, -max_correction_speed);
+    }
+    /// The same for one with the elastic body. What its free nodes share with held ones
+    /// is kept from going deeper and not pushed out: they would go as far as 1/share.
+    Real bias_of(const CompliantRow<Dim>& row, const ElasticBody<Dim>& body,
+                 Real h) const
+    {
+        using Held = typename CompliantRow<Dim>::Held;
+        return row.gap < 0 && row.held_by(body) == Held::some ? 0
+                                                              : bias_of(row.gap, h);
+    }
+
     /// (30.19): A_ij, after find_answers(); the lower half counts for both, so that A is
     /// symmetric to the bit.
     Real entry(std::size_t i, std::size_t j) const;
@@ -79,10 +102,9 @@ protected:
 
 private:
     void find_answers(const ElasticBody<Dim>& body);
-    void add_answers(Real h, ElasticBody<Dim>& body) const;
 
     std::vector<VecX> answer_;  ///< H⁻¹ Jᵀ of each row
-    VecX x0_, v_, change_, left_;
+    VecX x0_, v_, change_, push_;
 };
 
 //! [step]
@@ -94,13 +116,12 @@ void CompliantStep<Dim>::iterate(ElasticBody<Dim>& body, Bodies<dof>& bodies,
     x0_ = body.x;
     solver.begin(body, h);
     report = {};
+    report.residual = solver.report.residual;
     answers = 0;
     solution.lambda.setZero(static_cast<Index>(rows.size()));
     while (report.iterations < most) {
         ++report.iterations;
-        solver.look(body);
-        const Real before =
-            report.iterations > 1 ? report.residual : solver.report.residual;
+        const Real before = report.residual;
         const int factorisations = solver.report.factorisations;
         if (!solver.prepare(body)) {
             report.status = Status::singular;
@@ -110,22 +131,25 @@ void CompliantStep<Dim>::iterate(ElasticBody<Dim>& body, Bodies<dof>& bodies,
             report.iterations > 1 && solver.report.factorisations == factorisations;
         change_ = solver.r;
         solver.factor.solve(change_);
-        body.x += change_;
-        v_ = (body.x - x0_) / h;
+        v_ = (body.x + change_ - x0_) / h;
         for (Index i = 0; i < v_.size(); ++i)
             if (body.fixed[static_cast<std::size_t>(i)]) v_[i] = body.v[i];
         if (!same) find_answers(body);
         solve(v_, bodies.u, same);
-        add_answers(h, body);
-        // (30.18) at the new place: is it an answer?
-        solver.look(body);
-        left_ = solver.r;
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            rows[i].add_push(h * solution.lambda[static_cast<Index>(i)], body.fixed,
-                             left_);
-        report.residual = solver.residual_of(body, left_);
+        push_.setZero(v_.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const Real lambda = solution.lambda[static_cast<Index>(i)];
+            if (rows[i].count == 0 || lambda == 0) continue;
+            change_ += (h * lambda) * answer_[i];
+            rows[i].add_push(h * lambda, body.fixed, push_);
+        }
+        // (30.26): λ as a load; only where a whole step ends do these λ belong
+        const Real s = solver.descend(body, change_, push_);
+        push_ += solver.r;
+        report.residual = solver.residual_of(body, push_);
         solver.judge(before, report.residual, tolerance);
-        if (report.residual <= tolerance) {
+        if (s == 0) break;  // nothing is lower: as far as it came
+        if (s == 1 && report.residual <= tolerance) {
             report.status = rows.empty() ? Status::solved : solution.status;
             break;
         }

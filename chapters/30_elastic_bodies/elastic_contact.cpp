@@ -47,7 +47,7 @@ void ElasticContacts::add_contact(const ElasticScene& scene, CompliantRow<2> row
     };
     along(normal);
     row.gap = gap;
-    row.rigid.bias = (gap > 0 ? gap : repaid * gap) / h;
+    row.rigid.bias = bias_of(row, scene.elastic, h);
     if (row.is_stuck(scene.elastic, scene.bodies.u)) return;
     rows.push_back(row);
     along(perpendicular(normal));
@@ -121,7 +121,10 @@ void ElasticContacts::find_rows(const ElasticScene& scene, Real h)
                 continue;  // from within: another edge has it
             for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i) {
                 CompliantRow<2> row;
-                row.rigid.a = a, row.rigid.b = world, row.point = m.points[i].point;
+                row.rigid.a = a, row.rigid.b = world;
+                // on the edge itself: halfway into an overlap another node is near
+                row.point = m.points[i].point +
+                            (m.points[i].gap / 2 + scene.skin) * m.normal;
                 const Real s = std::clamp<Real>(
                     along.dot(row.point - p) / (length * length), 0, 1);
                 const bool at_first = s<1e-3, at_second = s> 1 - 1e-3;

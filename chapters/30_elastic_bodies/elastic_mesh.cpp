@@ -15,10 +15,28 @@ namespace rigid {
 
 namespace {
 
+/// Throws unless there is such an element, of nodes that there are.
+template <int Dim>
+void require_element(const ElasticMesh<Dim>& mesh, int element)
+{
+    if (element < 0 || element >= mesh.count())
+        throw std::invalid_argument("a mesh has no element " +
+                                    std::to_string(element) + "; it has " +
+                                    std::to_string(mesh.count()));
+    for (int i = 0; i < mesh.per_element(); ++i)
+        if (const int node = mesh.node(element, i);
+            node < 0 || node >= mesh.nodes())
+            throw std::invalid_argument("element " + std::to_string(element) +
+                                        " has the node " + std::to_string(node) +
+                                        "; there are " +
+                                        std::to_string(mesh.nodes()));
+}
+
 /// The edges from corner 0 as columns.
 template <int Dim>
 Mat<Dim> edge_columns(const ElasticMesh<Dim>& mesh, int element)
 {
+    require_element(mesh, element);
     Mat<Dim> edges;
     for (int i = 0; i < Dim; ++i)
         edges.col(i) =
@@ -114,15 +132,9 @@ void require_valid(const ElasticMesh<Dim>& mesh)
     require_finite(mesh.rest, "rest");
     std::vector<bool> used(static_cast<std::size_t>(mesh.nodes()));
     for (int e = 0; e < mesh.count(); ++e) {
-        for (int i = 0; i < mesh.per_element(); ++i) {
-            const int node = mesh.node(e, i);
-            if (node < 0 || node >= mesh.nodes())
-                throw std::invalid_argument("element " + std::to_string(e) +
-                                            " has the node " +
-                                            std::to_string(node) + "; there are " +
-                                            std::to_string(mesh.nodes()));
-            used[static_cast<std::size_t>(node)] = true;
-        }
+        require_element(mesh, e);
+        for (int i = 0; i < mesh.per_element(); ++i)
+            used[static_cast<std::size_t>(mesh.node(e, i))] = true;
         Real longest = 0;
         for (const auto& [a, b] : edges_of_element<Dim>())
             longest = std::max(
@@ -157,6 +169,7 @@ ElasticMesh<Dim> quadratic(const ElasticMesh<Dim>& mesh)
     std::vector<Real> rest(mesh.rest.data(), mesh.rest.data() + mesh.rest.size());
     std::map<std::array<int, 2>, int> middles;
     for (int e = 0; e < mesh.count(); ++e) {
+        require_element(mesh, e);
         for (int i = 0; i <= Dim; ++i) out.elements.push_back(mesh.node(e, i));
         for (const auto& [i, j] : edges_of_element<Dim>()) {
             const int a = mesh.node(e, i), b = mesh.node(e, j);

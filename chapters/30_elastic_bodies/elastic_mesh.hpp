@@ -46,6 +46,9 @@ constexpr std::array<std::array<int, 2>, Dim*(Dim + 1) / 2> edges_of_element()
     return edges;
 }
 
+// The functions that follow throw std::invalid_argument for an element that is not there
+// or has nodes that are not.
+
 /// Length, area or volume of an element, negative where it is inverted [m, m², m³].
 template <int Dim>
 Real measure_of(const ElasticMesh<Dim>& mesh, int element);

@@ -175,6 +175,14 @@ Mat<Dim> ElasticModel<Dim>::deformation(const VecX& x, int point) const
 }
 
 template <int Dim>
+Real ElasticModel<Dim>::steepest() const
+{
+    Real most = 0;
+    for (int i = 0; i < nodes(); ++i) most = std::max(most, scale_[i] / lumped_[i]);
+    return most * material_.density / (2 * lame_.mu + std::abs(lame_.lambda));
+}
+
+template <int Dim>
 Vec<Dim> ElasticModel<Dim>::place(int point) const
 {
     const int n = mesh_.per_element(), e = element_of(point);

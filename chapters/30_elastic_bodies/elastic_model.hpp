@@ -60,6 +60,9 @@ public:
 
     /// What strain 1 pulls at a node with [N]: what forces compare with.
     Real force_scale(int node) const { return scale_[node]; }
+    /// The largest |G|, about [1/m]: a node that moves by a strains what is next to it by
+    /// a times that.
+    Real steepest() const;
 
     int points() const { return static_cast<int>(weight_.size()); }
     Real weight(int point) const

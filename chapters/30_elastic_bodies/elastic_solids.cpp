@@ -22,7 +22,7 @@ void ElasticSolids::add_contact(const ElasticSpace& scene, CompliantRow<3> row,
     };
     row.rigid.a = k, row.rigid.b = world;
     along(normal);
-    row.rigid.bias = (row.gap > 0 ? row.gap : repaid * row.gap) / h;
+    row.rigid.bias = bias_of(row, scene.elastic, h);
     if (row.is_stuck(scene.elastic, scene.bodies.u)) return;
     rows.push_back(row);
     if (!(scene.soft_friction > 0)) return;
@@ -174,9 +174,9 @@ void ElasticSolids::find_rigid_rows(const ElasticSpace& scene, Real h)
     evaluate_constraints(scene, now_);
     for (const Constraint<6>& c : now_.constraints) {
         const bool pushes = c.kind == ConstraintKind::unilateral;
-        const Real bias = !has_error(c.kind)     ? own_bias(c, h)
-                          : pushes && !(c.C > 0) ? repaid * c.C / h
-                                                 : c.C / h;
+        const Real bias = !has_error(c.kind) ? own_bias(c, h)
+                          : pushes           ? bias_of(c.C, h)
+                                             : c.C / h;
         rows.emplace_back();
         rows.back().rigid = row_of(c, scene.bodies.inverse_mass, bias, h);
         rows.back().gap = c.C;

@@ -89,19 +89,17 @@ void ElasticSolver<Dim>::begin(ElasticBody<Dim>& body, Real tau)
         model.add_mass(body.mass_damping, B_);
         model.add_stiffness(x0_, body.stiffness_damping, true, B_);
     }
+    is_slow_ = false;
+    for (Index i = 0; i < y_.size(); ++i)
+        if (body.fixed[static_cast<std::size_t>(i)]) body.x[i] = y_[i];
+    const Real here = look(body);
+    if (!(tau > 0)) return;
+    // where it would go by itself, if that is not worse than where it is
     before_ = body.x;
-    is_seen_ = false;
-    if (tau > 0) {
-        // where it would go by itself, if that is not worse than where it is
-        for (Index i = 0; i < y_.size(); ++i)
-            if (body.fixed[static_cast<std::size_t>(i)]) body.x[i] = y_[i];
-        before_ = body.x;
-        const Real here = look(body);
-        body.x = y_;
-        G_ = look(body);
-        is_seen_ = G_ < here;
-        if (!is_seen_) body.x = before_;
-    }
+    body.x = y_;
+    if (look(body) < here) return;
+    body.x = before_;
+    look(body);
 }
 
 template <int Dim>
@@ -136,7 +134,7 @@ Real ElasticSolver<Dim>::look(const ElasticBody<Dim>& body)
         strained += model.force_scale(i) * model.edge();
     rounding_ = 1e-13 * size + 1e-16 * share * strained;
     report.residual = residual_of(body, r);
-    return G;
+    return G_ = G;
 }
 
 template <int Dim>
@@ -186,25 +184,40 @@ void ElasticSolver<Dim>::keep(const ElasticBody<Dim>& body)
 }
 
 template <int Dim>
-bool ElasticSolver<Dim>::prepare(const ElasticBody<Dim>& body)
+void ElasticSolver<Dim>::assemble(const ElasticBody<Dim>& body, bool projected)
 {
     const ElasticModel<Dim>& model = body.model;
-    const bool is_direct = settings.solve == LinearSolve::direct;
-    if (is_direct && has_kept(body)) return true;
     H_.reset(model.pattern());
-    model.add_stiffness(body.x, tau_ > 0 ? tau_ * tau_ : 1, true, H_);
+    model.add_stiffness(body.x, tau_ > 0 ? tau_ * tau_ : 1, projected, H_);
     if (tau_ > 0) model.add_mass(1, H_);
     if (damped_)
         for (std::size_t i = 0; i < H_.value.size(); ++i)
             H_.value[i] += tau_ * B_.value[i];
     fix<Dim>(body.fixed, H_);
+}
+
+//! [prepare]
+template <int Dim>
+bool ElasticSolver<Dim>::prepare(const ElasticBody<Dim>& body)
+{
+    const bool is_direct = settings.solve == LinearSolve::direct;
+    is_fresh_ = !(is_direct && has_kept(body));
+    if (!is_fresh_) return true;
     kept_.has = renew_ = false;
-    if (!is_direct) return true;
-    ++report.factorisations;
-    if (!factor.factor(H_) && !soften(body)) return false;
+    const auto is_factored = [&](bool projected) {
+        assemble(body, projected);
+        if (!is_direct) return true;
+        ++report.factorisations;
+        return factor.factor(H_);
+    };
+    // The curvature as it is, where the projected one was slow and it is definite.
+    if (!(is_direct && is_slow_ && is_factored(false)) && !is_factored(true) &&
+        !soften(body))
+        return false;
     keep(body);
     return true;
 }
+//! [prepare]
 
 template <int Dim>
 bool ElasticSolver<Dim>::soften(const ElasticBody<Dim>& body)
@@ -238,14 +251,38 @@ bool ElasticSolver<Dim>::direction(ElasticBody<Dim>& body)
     return cg_.iterations > 0;
 }
 
+//! [descend]
+template <int Dim>
+Real ElasticSolver<Dim>::descend(ElasticBody<Dim>& body, const VecX& change,
+                                 const VecX& push)
+{
+    const Real G = G_, work = push.size() > 0 ? ordered_dot(push, change) : 0;
+    const Real slope = ordered_dot(r, change) + work;  // it falls by that at first
+    before_ = body.x;
+    for (Real s = 1; s > 1e-9; s /= 2) {
+        body.x = before_ + s * change;
+        const Real next = look(body) - s * work;
+        if (next <= G - 1e-4 * s * slope + rounding_ + 1e-13 * std::abs(work))
+            return s;
+        ++report.halvings;
+    }
+    body.x = before_;
+    look(body);
+    return 0;
+}
+//! [descend]
+
 //! [minimise]
 /// Algorithm 30.1: Newton's method with steps that are halved until G falls.
 template <int Dim>
 void ElasticSolver<Dim>::minimise(ElasticBody<Dim>& body)
 {
-    Real G = is_seen_ ? G_ : look(body);
-    // Once at least: against a stiff material a load may be less than the tolerance.
-    while (report.residual > settings.tolerance ||
+    // Against a stiff material a load may be less than the tolerance: once at least, and
+    // to rest until it is balanced to a thousandth, or to what rounding leaves of F.
+    Real enough = settings.tolerance;
+    if (tau_ == 0)
+        enough = std::min(enough, std::max(report.residual / 1000, noise_));
+    while (report.residual > enough ||
            (report.iterations == 0 && report.residual > 1e-15)) {
         if (report.iterations == settings.most) return;
         ++report.iterations;
@@ -253,24 +290,17 @@ void ElasticSolver<Dim>::minimise(ElasticBody<Dim>& body)
             report.status = Status::singular;
             return;
         }
-        const Real slope = ordered_dot(r, change_);  // G falls by that at first
         const Real last = report.residual;
-        before_ = body.x;
-        for (Real s = 1;; s /= 2) {
-            body.x = before_ + s * change_;
-            const Real next = look(body);
-            if (next <= G - 1e-4 * s * slope + rounding_) {
-                G = next;
-                judge(last, report.residual, settings.tolerance);
-                break;
-            }
-            ++report.halvings;
-            if (s < 1e-9) {  // nothing is lower: as far as it came
-                body.x = before_;
-                look(body);
-                return;
-            }
+        if (descend(body, change_, {}) == 0) return;  // as far as it came
+        // A linear law has no second step: what K leaves it cannot balance.
+        if (tau_ == 0 && body.model.material().law == StrainLaw::linear &&
+            !(report.residual <= std::max(last / 10, noise_))) {
+            body.x = before_;
+            look(body);
+            report.status = Status::singular;
+            return;
         }
+        judge(last, report.residual, settings.tolerance);
     }
     report.status =
         std::isfinite(report.residual) ? Status::solved : Status::iteration_limit;
@@ -300,12 +330,29 @@ void ElasticSolver<Dim>::step(ElasticBody<Dim>& body, Real h)
 //! [step]
 
 template <int Dim>
+bool ElasticSolver<Dim>::is_loose(const ElasticBody<Dim>& body) const
+{
+    for (int c = 0; c < Dim; ++c) {
+        Real sum = 0, size = 0;
+        bool is_held = false;
+        for (Index i = c; i < f_.size(); i += Dim) {
+            is_held = is_held || body.fixed[static_cast<std::size_t>(i)];
+            sum += f_[i], size += std::abs(f_[i]);
+        }
+        if (!is_held && std::abs(sum) > 1e-9 * size) return true;
+    }
+    return false;
+}
+
+template <int Dim>
 void ElasticSolver<Dim>::rest(ElasticBody<Dim>& body)
 {
     require_valid(body, settings);
     begin(body, 0);
-    minimise(body);
-    body.v.setZero();
+    noise_ = 1e-15 * body.x.cwiseAbs().maxCoeff() * body.model.steepest();
+    if (is_loose(body)) report.status = Status::singular;
+    else minimise(body);
+    if (report.status != Status::singular) body.v.setZero();
 }
 
 template <int Dim>

@@ -88,8 +88,9 @@ public:
     ///         or setting that is no number
     void step(ElasticBody<Dim>& body, Real h);
 
-    /// To where forces and loads balance; fixed freedoms stay where they are. `singular`
-    /// where a linear body can move as a whole.
+    /// To where forces and loads balance; fixed freedoms stay where they are. `singular`,
+    /// and it stays where it is, if nothing holds it: loads pull along an axis along which
+    /// no node is fixed, or a linear body can turn.
     void rest(ElasticBody<Dim>& body);
 
     // The pieces of a step, for one that has contacts as well (elastic_contact.hpp).
@@ -100,12 +101,19 @@ public:
     /// H at body.x, factored or as a matrix. Returns false if it is not definite.
     bool prepare(const ElasticBody<Dim>& body);
     VecX r;  ///< −∇G [kg m], zero where a freedom is fixed
-    /// Whether an iteration that took the residual from `before` to `now` was good enough
-    /// for its factor to serve the next one as well, NewtonOnEnergy::stale.
+    /// (30.9) after look(): x ← x + s Δ with the first s = 1, ½, … at which G − pᵀx has
+    /// fallen. Returns s; 0 if nothing is lower: x stays.
+    /// \param push  p [kg m], an impulse times h on each freedom; empty: none
+    Real descend(ElasticBody<Dim>& body, const VecX& change, const VecX& push);
+    /// After an iteration that took the residual from `before` to `now`: whether its factor
+    /// serves the next one as well, NewtonOnEnergy::stale, and whether a new one was so
+    /// slow that the next is tried without the projection of its elements.
     /// \param enough  below it there is nothing to judge by
     void judge(Real before, Real now, Real enough)
     {
-        renew_ = !(now <= settings.stale * before || now <= enough);
+        if (now <= enough) return void(renew_ = false);
+        renew_ = !(now <= settings.stale * before);
+        is_slow_ = is_slow_ || (is_fresh_ && now > 0.1 * before);
     }
     /// The residual of r: with the impulses of contacts it is less.
     Real residual_of(const ElasticBody<Dim>& body, const VecX& r_left) const;
@@ -115,6 +123,8 @@ public:
 private:
     void minimise(ElasticBody<Dim>& body);
     bool direction(ElasticBody<Dim>& body);
+    bool is_loose(const ElasticBody<Dim>& body) const;
+    void assemble(const ElasticBody<Dim>& body, bool projected);
     /// At rest, of a shape whose projected K has no inverse (inverted elements): a
     /// spring at every node, as weak as will do.
     bool soften(const ElasticBody<Dim>& body);
@@ -125,10 +135,11 @@ private:
     VecX x0_, y_, f_, difference_, product_, change_, before_;
     BlockMatrix<Dim> H_, B_;
     ConjugateGradients cg_;
-    Real rounding_ = 0;     ///< of G
-    Real G_ = 0;            ///< of the start
-    bool is_seen_ = false;  ///< whether begin() looked at the start last
+    Real G_ = 0, rounding_ = 0;  ///< where look() was last, and of it
+    Real noise_ = 0;             ///< of the residual at rest
     bool damped_ = false, renew_ = false;
+    bool is_fresh_ = false;  ///< whether this iteration made its factor
+    bool is_slow_ = false;   ///< whether one of this step's was too slow
     BlockPattern analysed_;  ///< what the factor's order is of
     /// What the factor at hand is of, if it may be kept.
     struct {
