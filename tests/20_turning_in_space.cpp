@@ -157,11 +157,50 @@ TEST_CASE("the closed form of a free spin obeys Euler's equations and its period
     CHECK(spin_period({1, 2, 4}, {0.1, 3, 0.05}) == Approx(9.29398136423654152).epsilon(1e-13));
 }
 
+TEST_CASE("a spin with the energy of the middle axis never comes back and one beside it does late", "[idea]")
+{
+    // 1 (4 - 1) 2² = 6 (6 - 4) 1²: L² = 2 E I₂ to the last digit
+    const Vec3 inertia(1, 4, 6);
+    for (const Real scale : {1.0, 0.3, 1e-30, 1e30})
+        CHECK(spin_period(inertia, scale * Vec3(2, 0.7, 1)) == infinity);
+    CHECK(spin_period(inertia, {0, 1, 0}) == infinity);
+    const Vec3 late = exact_spin(inertia, 2, 1, 1000);
+    // all of the energy is about the middle axis: 4 ω₂² = 1 · 2² + 6 · 1²
+    CHECK((late - Vec3(0, std::sqrt(2.5), 0)).norm() < 1e-14);
+    // 4 K(k) = 4 log(4/k') but for k'² log k', and k' = √(1 - k²) of a spin (0, ω, e) is e/ω √(I₃ (I₃ - I₁)/(I₂ (I₂ - I₁)))
+    for (const Real e : {1e-5, 1e-9, 1e-20, 1e-40}) {
+        const Real rate = std::sqrt((6.0 - 4) * (4 - 1) / (6 * 1)), k_rest = e * std::sqrt(6.0 * 5 / (4 * 3));
+        CHECK(spin_period(inertia, {0, 1, e}) == Approx(4 * std::log(4 / k_rest) / rate).epsilon(1e-8));
+    }
+}
+
+TEST_CASE("Jacobi's functions are those of a circle at 0 and hyperbolic at 1 and refuse what is outside",
+          "[house]")
+{
+    for (const Real u : {-30.0, -2.0, 0.0, 1e-9, 0.7, 5.0, 400.0}) {
+        CHECK((jacobi_functions(u, 0) - Vec3(std::sin(u), std::cos(u), 1)).norm() < 1e-13);
+        const Vec3 limit(std::tanh(u), 1 / std::cosh(u), 1 / std::cosh(u));
+        CHECK((jacobi_functions(u, 1) - limit).norm() < 1e-15);
+        // it is off by (1 - k) cosh u, and by no more than 1 - k and roundings here
+        if (std::abs(u) < 1) CHECK((jacobi_functions(u, 1 - 1e-12) - limit).norm() < 3e-12);
+    }
+    for (const Real k : {-0.5, 1.5, std::nan("")})
+        CHECK(sentence_of([k] {
+                  jacobi_functions(2, k);
+              }).find("the Jacobi functions are asked for u = 2 and k = ") == 0);
+    CHECK(sentence_of([] { jacobi_functions(infinity, 0.5); }) ==
+          "the Jacobi functions are asked for u = inf and k = 0.5; u must be finite, and k from 0 to 1");
+}
+
 TEST_CASE("moments that are not ascending have no closed form here", "[house]")
 {
     CHECK(sentence_of([] {
               spin_form({2, 1, 3}, {1, 1, 1});
-          }) == "the moments of inertia are 2, 1, 3 kg m²; they must be ascending");
+          }) == "the moments of inertia are 2, 1, 3 kg m²; they must be ascending, from 1e-50 to 1e50");
+    for (const Vec3& spin : {Vec3(0, 0, 0), Vec3(std::nan(""), 1, 1), Vec3(1, infinity, 1), Vec3(1e60, 1, 1)})
+        CHECK(sentence_of([&] {
+                  spin_period({1, 2, 3}, spin);
+              }).find(" rad/s; its length must be from 1e-50 to 1e50") != std::string::npos);
     CHECK(sentence_of([] {
               exact_spin({1, 2, 3}, -0.5, 1, 0);
           }) == "a spin starts with -0.5 and 1 rad/s about its outer axes; both must be positive");

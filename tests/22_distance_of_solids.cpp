@@ -122,6 +122,55 @@ TEST_CASE("points that are one but for rounding are one corner of a hull", "[hou
         }
 }
 
+TEST_CASE("a hull closes however near its points are to each other and to its faces and edges", "[house]")
+{
+    Random random(6);
+    const auto closes = [](const std::vector<Vec3>& points, Real apart) {
+        const SolidForm form = form_of(solid_hull(points));  // refuses what is not closed
+        const auto V = form.hull.vertices.size(), F = form.hull.faces.size(), E = form.edges.size();
+        CHECK(V + F == E + 2);
+        for (std::size_t f = 0; f < F; ++f)
+            for (const Vec3& p :
+                 points)  // what is left out lies 1e-5 of the spread outside, and so again by what held it
+                CHECK(form.normals[f].dot(
+                          p - form.hull.vertices[static_cast<std::size_t>(form.hull.faces[f][0])]) <
+                      1e-9 + (apart < 1e-4 ? std::min(4 * apart, 4e-5) : 0));
+        return form;
+    };
+    for (const Real apart : {1e-11, 1e-10, 3e-10, 5e-10, 1e-9, 3e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4})
+        for (int i = 0; i < 20; ++i) {
+            INFO(apart << " " << i);
+            const Mat3 R = rotation_matrix(any_vector(random, 2));
+            const auto beside = [&](Vec3 p) -> Vec3 { return R * p + any_vector(random, apart); };
+            std::vector<Vec3> corners, grid, can;
+            for (const Vec3& p : solid_box({1, 1, 1}).vertices) corners.push_back(R * p);
+            for (int k = 0; k < 3; ++k) corners.push_back(beside({0.5, 0.5, 0.5}));
+            corners.push_back(beside({0.5, 0.5, 0.1}));  // on an edge
+            corners.push_back(beside({0.5, 0.2, 0.1}));  // on a face
+            closes(corners, apart);
+            for (int k = 0; k < 27; ++k)
+                grid.push_back(beside(0.5 * Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1)));
+            closes(grid, apart);
+            for (int k = 0; k < 20; ++k)
+                can.push_back(
+                    beside(Vec3(std::cos(k / 2 * pi / 5), k % 2 - 0.5, std::sin(k / 2 * pi / 5)) / 2));
+            const SolidForm form = closes(can, apart);
+            CHECK(form.hull.vertices.size() == 20);
+            CHECK(mass_of(form.hull, 1).mass == Approx(2.5 * std::sin(pi / 5) / 4).margin(1e-9 + 10 * apart));
+        }
+    // a board whose thickness its points do not tell
+    int refused = 0;
+    for (int i = 0; i < 20; ++i) {
+        const Mat3 R = rotation_matrix(any_vector(random, 2));
+        std::vector<Vec3> board;
+        for (const Vec3& p : solid_box({1, 1e-9, 1}).vertices) board.push_back(R * p);
+        refused += sentence_of([&] { solid_hull(board); }) ==
+                   "the points of a hull lie within 1e-5 of their spread "
+                   "of a plane, and do not tell its sides apart";
+    }
+    CHECK(refused == 20);
+}
+
 TEST_CASE("the nearest points of two hulls are as far apart as any of their parts", "[idea]")
 {
     Random random(2);
@@ -204,6 +253,15 @@ TEST_CASE("hulls that are none are refused with a sentence", "[house]")
     CHECK(sentence_of([] {
               solid_hull({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0)});
           }) == "the points of a hull lie in a plane");
+    CHECK(sentence_of([] {
+              solid_hull({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
+          }) == "a hull has 3 points in different places; it needs at least four");
+    for (const Real size : {1e-70, 1e80}) {
+        std::vector<Vec3> points = solid_box({1, 1, 1}).vertices;
+        for (Vec3& p : points) p *= size;
+        CHECK(sentence_of([&] { solid_hull(points); }).find(" m apart; it must be from 1e-65 to 1e75 m") !=
+              std::string::npos);
+    }
     CHECK(sentence_of([] {
               solid_hull(
                   {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(std::nan(""), 0, 0)});

@@ -257,6 +257,49 @@ TEST_CASE("between the points of a touch there is the normal and nothing else", 
     }
 }
 
+TEST_CASE("a plate that is thinner than the margin lies on its lower corners", "[idea]")
+{
+    for (const Real thickness : {0.05, 0.02, 0.01, 0.001})
+        for (const bool on_wall : {true, false}) {
+            WalledSolids scene;
+            const Index k = add_body(scene, {solid_box({1, thickness, 0.7})}, 1000.0, {0, thickness / 2, 0});
+            if (on_wall) scene.walls.push_back({{0, 1, 0}, 0});
+            else add_body(scene, {solid_box({3, 1, 3})}, SolidMass{}, {0, -0.5, 0});
+            SmoothSweeps method;
+            method.solver.sweeps = {1000, 1e-10};
+            StepData<6> now;
+            for (int i = 0; i < 60; ++i) {
+                step(scene, {.h = 1.0 / 60}, method, now);
+                CHECK(now.contacts.size() == 4);
+            }
+            // a second of the speeds that the tolerance leaves
+            CHECK(std::abs(scene.bodies.x[6 * k + 1] - thickness / 2) < 1e-9);
+            CHECK(scene.bodies.x.segment<3>(6 * k + 3).norm() < 1e-9);
+        }
+}
+
+TEST_CASE("of the corners over a wall those that stand over others are left out", "[house]")
+{
+    const SolidForm box = form_of(solid_box({1, 0.01, 0.5}));
+    Random random(4);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 theta = any_vector(random, 0.4), at(0, random.uniform(0, 1), 0);
+        const PlacedSolid plate = placed(box, at, theta);
+        ClipRoom room;
+        SolidTouch touch;
+        collide(SolidWall{{0, 1, 0}, 0}, plate, {infinity, 0}, room, touch);
+        REQUIRE(touch.count == 4);
+        Real lowest = infinity, least = infinity;
+        for (const Vec3& p : plate.vertices) lowest = std::min(lowest, p.y());
+        for (int c = 0; c < 4; ++c) {
+            const TouchPoint& p = touch.points[static_cast<std::size_t>(c)];
+            CHECK(box.hull.vertices[static_cast<std::size_t>(p.feature)].y() < 0);  // of the lower face
+            least = std::min(least, p.gap);
+        }
+        CHECK(least == lowest);
+    }
+}
+
 TEST_CASE("what a joint joins does not collide", "[idea]")
 {
     for (const bool joined : {false, true}) {

@@ -271,6 +271,12 @@ TEST_CASE("arms that are none are refused with a sentence", "[house]")
     CHECK(sentence_of([&] { run.take(scene, 1.0 / 60, 1); }) == "ellipsoid 0 belongs to body 7 among 1");
     scene.ellipsoids[0] = {0, {0, 0, 0}, Mat3::Zero()};
     CHECK(sentence_of([&] { run.take(scene, 1.0 / 60, 1); }) == "ellipsoid 0 is flat, or not finite");
+    // a point of it is found by its square, which is no number
+    scene.ellipsoids[0].stretch = Vec3(1, 1e-200, 1).asDiagonal();
+    CHECK(sentence_of([&] { run.take(scene, 1.0 / 60, 1); }) ==
+          "ellipsoid 0 is 1e-200 m thin; its semi-axes must be from 1e-75 to 1e75 m");
+    scene.ellipsoids[0].stretch = Vec3(1, 1e80, 1).asDiagonal();
+    CHECK(sentence_of([&] { run.take(scene, 1.0 / 60, 1); }).find(" 1e-75 to 1e75 m") != std::string::npos);
 }
 
 // ---- what spins on a floor ----------------------------------------------------------------------

@@ -269,6 +269,88 @@ TEST_CASE("struts push wheels alone and no car is refused", "[house]")
     CHECK(smooth.friction[1] == 0.5);
 }
 
+TEST_CASE("scenes of what cannot be are refused with a sentence", "[house]")
+{
+    const auto with = [](const auto& change, auto thing, const auto& make) {
+        change(thing);
+        return sentence_of([&] { make(thing); });
+    };
+    const auto cradle = [&with](const auto& change) { return with(change, Cradle{}, newtons_cradle); };
+    CHECK(cradle([](Cradle&) {}) == "accepted");
+    CHECK(cradle([](Cradle& c) { c.balls = 0; }) ==
+          "the number of balls of a cradle is 0; it must be 1 or more");
+    CHECK(cradle([](Cradle& c) { c.lifted = 6; }) == "a cradle of 5 balls has 6 of them lifted");
+    CHECK(cradle([](Cradle& c) { c.gap = -0.1; }) ==
+          "the gap of a cradle's balls is -0.1 m; it must be zero or positive and finite");
+    CHECK(cradle([](Cradle& c) { c.radius = 0; }) ==
+          "the radius of a cradle's balls is 0; it must be positive and finite");
+    CHECK(cradle([](Cradle& c) { c.length = infinity; }) ==
+          "the length of a cradle's rods is inf; it must be positive and finite");
+    CHECK(cradle([](Cradle& c) { c.lift = std::nan(""); }) != "accepted");
+
+    const auto ball = [&with](const auto& change) {
+        return with(change, WreckingBall{}, [](const WreckingBall& b) {
+            SpaceScene scene;
+            try {
+                add_wrecking_ball(scene, b, 0.5);
+            } catch (...) {
+                CHECK(scene.bodies.count() == 0);  // nothing is left of it
+                throw;
+            }
+        });
+    };
+    CHECK(ball([](WreckingBall& b) { b.links = 0; }) == "accepted");
+    CHECK(ball([](WreckingBall& b) { b.links = -1; }) ==
+          "a wrecking ball hangs on -1 links; it must be zero or more");
+    CHECK(ball([](WreckingBall& b) { b.mass = 0; }) ==
+          "the mass of a wrecking ball is 0; it must be positive and finite");
+    CHECK(ball([](WreckingBall& b) { b.radius = -1; }) ==
+          "the radius of a wrecking ball is -1; it must be positive and finite");
+    CHECK(ball([](WreckingBall& b) { b.link_length = 0.1; }) ==
+          "a link of a wrecking ball's chain is 0.1 m long; it must be finite and more than the 0.1 m that "
+          "its ends "
+          "take");
+
+    const auto car = [&with](const auto& change) {
+        return with(change, Car{}, [](const Car& c) { car_on_floor(c, 0.5); });
+    };
+    CHECK(car([](Car& c) { c.sink = 0; }) == "the way that a car sinks is 0; it must be positive and finite");
+    CHECK(car([](Car& c) { c.damping = -1; }) == "a car has the damping -1, the torque 120 N m and the speed "
+                                                 "5 m/s; none may be infinite, and the first two "
+                                                 "not negative");
+    CHECK(car([](Car& c) { c.speed = std::nan(""); }) != "accepted");
+    SpaceScene driven = car_on_floor({}, 0.5);
+    Car stiff;
+    stiff.sink = 0;
+    CHECK(sentence_of([&] { push_struts(driven, stiff, 1.0 / 60); }) ==
+          "the way that a car sinks is 0; it must be positive and finite");
+    CHECK(sentence_of([&] { push_struts(driven, {}, std::nan("")); }) != "accepted");
+    CHECK(driven.bodies.u.isZero(0));
+
+    CHECK(sentence_of([] { dolls_on_stairs(1, 1, 0); }) ==
+          "the number of steps of stairs is 0; it must be 1 or more");
+    CHECK(sentence_of([] { dolls_on_stairs(0, 1); }) == "the number of dolls is 0; it must be 1 or more");
+    CHECK(sentence_of([] {
+              SpaceScene scene;
+              add_stairs(scene, 3, -1, 0.5);
+          }) == "the width of stairs is -1; it must be positive and finite");
+    CHECK(sentence_of([] { brick_wall(0, 3, 0.5); }) ==
+          "the number of rows of a wall is 0; it must be 1 or more");
+    CHECK(sentence_of([] { card_tower(2, 1.6, 0.5); }) ==
+          "the lean of a card is 1.6 rad; it must be below a quarter turn");
+    CHECK(sentence_of([] { heavy_chain(3, 0); }) ==
+          "the mass at the end of a chain is 0; it must be positive and finite");
+    CHECK(sentence_of([] { heavy_chain(-1, 10); }) == "a chain has -1 links; it needs at least one");
+
+    // a residual that is anything would be an answer
+    SpaceScene stack = box_stack(2, 0, 0.5);
+    TouchingCones method;
+    method.solver.sweeps.tolerance = infinity;
+    StepData<6> now;
+    CHECK(sentence_of([&] { step(stack, {}, method, now); }) ==
+          "the tolerance of the sweeps is inf; any answer would do");
+}
+
 TEST_CASE("poured hulls stay in their pit and lose energy", "[house]")
 {
     SpaceScene scene = mixed_heap(200, 0.5, 3, 6);

@@ -18,7 +18,8 @@
 
 namespace rigid {
 
-/// sn, cn and dn of u for the modulus k, 0 ≤ k < 1. \cite abramowitz1964, §16.4
+/// sn, cn and dn of a finite u for the modulus k, 0 ≤ k ≤ 1; otherwise
+/// std::invalid_argument. \cite abramowitz1964, §16.4; k = 1 is their limit.
 Vec3 jacobi_functions(Real u, Real k);
 
 //! [exact]
@@ -29,30 +30,16 @@ struct SpinForm {
     Real I1, I2, I3;    ///< [kg m²]
     Real upper, lower;  ///< 2 E I₃ − L², L² − 2 E I₁
     Real k, rate;       ///< modulus, and dτ/dt [1/s]
+    Real k_rest;        ///< √(1 − k²), 0 where L² = 2 E I₂ but for rounding
 };
 
-/// \param inertia  I₁ < I₂ < I₃ [kg m²]; otherwise std::invalid_argument
-inline SpinForm spin_form(const Vec3& inertia, const Vec3& omega)
-{
-    if (!(inertia[0] > 0 && inertia[0] < inertia[1] && inertia[1] < inertia[2]))
-        throw std::invalid_argument(
-            "the moments of inertia are " + shortest(inertia[0]) + ", " +
-            shortest(inertia[1]) + ", " + shortest(inertia[2]) +
-            " kg m²; they must be ascending");
-    const Real E2 = inertia.dot(omega.cwiseAbs2()),
-               L2 = inertia.cwiseProduct(omega).squaredNorm();
-    SpinForm s;
-    s.swapped = L2 < E2 * inertia[1];
-    s.I1 = inertia[s.swapped ? 2 : 0], s.I2 = inertia[1];
-    s.I3 = inertia[s.swapped ? 0 : 2];
-    s.upper = E2 * s.I3 - L2, s.lower = L2 - E2 * s.I1;
-    s.k = std::sqrt((s.I2 - s.I1) * s.upper / ((s.I3 - s.I2) * s.lower));
-    s.rate = std::sqrt((s.I3 - s.I2) * s.lower / (s.I1 * s.I2 * s.I3));
-    return s;
-}
+/// \param inertia  I₁ < I₂ < I₃ [kg m²]
+/// \param omega    [rad/s]; the moments and its length from 1e-50 to 1e50, otherwise
+///                 std::invalid_argument
+SpinForm spin_form(const Vec3& inertia, const Vec3& omega);
 
 /// (20.24): ω at the time t in the body's axes, of a body that starts with
-/// ω = (ω₁, 0, ω₃), both positive; otherwise std::invalid_argument.
+/// ω = (ω₁, 0, ω₃), both positive, t finite; otherwise std::invalid_argument.
 inline Vec3 exact_spin(const Vec3& inertia, Real omega1, Real omega3, Real t)
 {
     if (!(omega1 > 0 && omega3 > 0))
@@ -70,12 +57,9 @@ inline Vec3 exact_spin(const Vec3& inertia, Real omega1, Real omega3, Real t)
 }
 
 /// The time after which ω is what it was, 4 K(k) / rate [s]; half of it from one
-/// flip to the next.
-inline Real spin_period(const Vec3& inertia, const Vec3& omega)
-{
-    const SpinForm s = spin_form(inertia, omega);
-    return 2 * pi / (GeometricMean(asin(s.k)).mean() * s.rate);
-}
+/// flip to the next. Infinite where L² = 2 E I₂, but for rounding: such a spin goes to
+/// the middle axis and stays.
+Real spin_period(const Vec3& inertia, const Vec3& omega);
 //! [exact]
 
 }  // namespace rigid

@@ -55,6 +55,13 @@ Index add_body(SolidScene& scene, std::vector<Hull> shape, const SolidMass& soli
 }
 //! [add_body]
 
+void require_positive(const char* what, Real value)
+{
+    if (!(value > 0) || !std::isfinite(value))
+        throw std::invalid_argument(std::string(what) + " is " + shortest(value) +
+                                    "; it must be positive and finite");
+}
+
 Real energy(const SolidScene& scene)
 {
     Real sum = kinetic_energy(scene.bodies);

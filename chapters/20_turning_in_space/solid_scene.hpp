@@ -75,6 +75,10 @@ inline Real typical_length(const SolidScene& scene)
 Index add_body(SolidScene& scene, std::vector<Hull> shape, const SolidMass& solid,
                const Vec3& at, const Vec3& theta = {0, 0, 0});
 
+/// Throws std::invalid_argument unless a number that a scene is made of is positive and
+/// finite.
+void require_positive(const char* what, Real value);
+
 /// Adds a uniform body of the given density [kg/m³].
 inline Index add_body(SolidScene& scene, const std::vector<Hull>& shape,
                       Real density, const Vec3& at, const Vec3& theta = {0, 0, 0})

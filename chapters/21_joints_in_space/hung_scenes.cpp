@@ -109,6 +109,8 @@ JointedSolids plate_chain(int plates, Real aside)
 
 JointedSolids heavy_chain(int links, Real end_mass)
 {
+    require_some(links, "links");
+    require_positive("the mass at the end of a chain", end_mass);
     JointedSolids scene;
     const Real length = 0.2;
     const Vec3 down(0.5, -std::sqrt(0.75), 0);

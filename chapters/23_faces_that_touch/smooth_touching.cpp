@@ -11,9 +11,18 @@ void collide(const SolidWall& wall, const PlacedSolid& b, const TouchSettings& h
 {
     room.points.clear();
     touch.normal = wall.normal;
+    // more than half right above another corner: that one touches, and of a plate
+    // that is thinner than the margin the upper corners would carry it otherwise
+    const auto is_above_another = [&](const Vec3& p) {
+        return std::any_of(b.vertices.begin(), b.vertices.end(),
+                           [&](const Vec3& q) {
+                               const Real up = wall.normal.dot(p - q);
+                               return up > 0 && (p - q).squaredNorm() < 2 * up * up;
+                           });
+    };
     for (std::size_t i = 0; i < b.vertices.size(); ++i) {
         const Real height = wall.normal.dot(b.vertices[i]) - wall.offset;
-        if (height - b.radius() < how.margin)
+        if (height - b.radius() < how.margin && !is_above_another(b.vertices[i]))
             room.points.push_back({b.vertices[i] - height * wall.normal,
                                    b.vertices[i], height - b.radius(),
                                    static_cast<int>(i)});
@@ -41,7 +50,7 @@ void ContactSearch::touch_wall(const WalledSolids& scene, std::size_t w,
         const auto k = static_cast<std::size_t>(b);
         const Real height =
             wall.normal.dot(centre_of(scene.bodies.x, b)) - wall.offset;
-        const TouchSettings how{near.margin + ahead_of[k], near.slack};
+        const TouchSettings how{near.margin + way_of[k], near.slack};
         if (!looks(b) || !scene.bodies.can_move(b) ||
             height - reach[k] >= how.margin)
             continue;

@@ -27,6 +27,7 @@ struct SolidPairs {
     /// of each body: how far it looks beyond the margin [m]; zero, unless a stage
     /// writes it between place() and find_pairs()
     std::vector<Real> ahead_of;
+    std::vector<Real> way_of;  ///< the same to a wall, which has no corner [m]
     SortAndSweep shadows;
     VecX seen, radii;
     std::vector<std::pair<int, int>> pairs, joined;
@@ -62,6 +63,7 @@ struct SolidPairs {
             solids.assign(known.size(), {});
         }
         ahead_of.assign(known.size(), 0);
+        way_of.assign(known.size(), 0);
         for (std::size_t k = 0; k < forms.size(); ++k) {
             const auto body = static_cast<Index>(k);
             if (!all && !looks(body)) continue;

@@ -75,9 +75,11 @@ Real visit_disc(const DiscOfRows& disc, SolverRow<Dof>* rows, Real radius, VecX&
 {
     const Vec2 w = slide_of(rows, u), lambda(rows[0].lambda, rows[1].lambda);
     Vec2 next = lambda;
-    const Real det = disc.A(0, 0) * disc.A(1, 1) - disc.A(0, 1) * disc.A(1, 0);
-    const Mat2 other{{disc.A(1, 1), -disc.A(0, 1)}, {-disc.A(1, 0), disc.A(0, 0)}};
-    if (det > 1e-12 * disc.largest * disc.largest) next -= other * w / det;
+    const Mat2& A = disc.A;
+    const Real det = A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0);
+    const Vec2 stop(A(1, 1) * w[0] - A(0, 1) * w[1],
+                    A(0, 0) * w[1] - A(1, 0) * w[0]);  // det A⁻¹ w
+    if (det > 1e-12 * disc.largest * disc.largest) next -= stop / det;
     else if (disc.largest > 0) next -= w / disc.largest;
     if (disc.nearest(next, radius) != next && disc.largest > 0)
         next = disc.nearest(lambda - w / disc.largest, radius);

@@ -42,6 +42,17 @@ void require_touching(const RoughSolids& scene)
         if (!e.at.allFinite() || !(std::abs(volume) > 0) || !std::isfinite(volume))
             throw std::invalid_argument("ellipsoid " + std::to_string(i) +
                                         " is flat, or not finite");
+        // from one of its three radii to the plane of the others, at least
+        Real thin = infinity;
+        for (Index k = 0; k < 3; ++k)
+            thin = std::min(thin, std::abs(volume) /
+                                      cross(Vec3(e.stretch.col((k + 1) % 3)),
+                                            Vec3(e.stretch.col((k + 2) % 3)))
+                                          .norm());
+        if (!(thin >= 1 / largest_number && e.stretch.norm() <= largest_number))
+            throw std::invalid_argument(
+                "ellipsoid " + std::to_string(i) + " is " + shortest(thin) +
+                " m thin; its semi-axes must be from 1e-75 to 1e75 m");
     }
 }
 

@@ -23,6 +23,8 @@ struct LowBall {
 
 inline RoughSolids spinning_low_ball(const LowBall& ball, Real mu)
 {
+    require_positive("the radius of a ball", ball.radius);
+    require_positive("the mass of a ball", ball.mass);
     RoughSolids scene;
     SolidMass mass;
     mass.mass = ball.mass;

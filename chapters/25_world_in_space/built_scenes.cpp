@@ -2,11 +2,14 @@
 #include "common/eigen_instances.hpp"
 
 #include "chapters/25_world_in_space/built_scenes.hpp"
+#include "common/scenes.hpp"
 
 namespace rigid {
 
 SpaceScene brick_wall(int rows, int columns, Real mu)
 {
+    require_count("rows of a wall", rows);
+    require_count("columns of a wall", columns);
     SpaceScene scene;
     const Vec3 brick(0.4, 0.25, 0.25);
     for (int row = 0; row < rows; ++row) {
@@ -28,6 +31,17 @@ SpaceScene brick_wall(int rows, int columns, Real mu)
 
 void add_wrecking_ball(SpaceScene& scene, const WreckingBall& ball, Real mu)
 {
+    if (ball.links < 0)
+        throw std::invalid_argument("a wrecking ball hangs on " +
+                                    std::to_string(ball.links) +
+                                    " links; it must be zero or more");
+    require_positive("the radius of a wrecking ball", ball.radius);
+    require_positive("the mass of a wrecking ball", ball.mass);
+    if (!(ball.link_length > 0.1) || !std::isfinite(ball.link_length))
+        throw std::invalid_argument("a link of a wrecking ball's chain is " +
+                                    shortest(ball.link_length) +
+                                    " m long; it must be finite and more than "
+                                    "the 0.1 m that its ends take");
     const Real way = ball.links * ball.link_length + ball.radius;
     const Vec3 hook(0, ball.height + way, ball.face - ball.radius);
     const Vec3 down(0, -cos(ball.lift), -sin(ball.lift));
@@ -52,6 +66,11 @@ void add_wrecking_ball(SpaceScene& scene, const WreckingBall& ball, Real mu)
 
 SpaceScene card_tower(int storeys, Real lean, Real mu)
 {
+    require_count("storeys of a tower", storeys);
+    require_positive("the lean of a card", lean);
+    if (!(lean < pi / 2))
+        throw std::invalid_argument("the lean of a card is " + shortest(lean) +
+                                    " rad; it must be below a quarter turn");
     SpaceScene scene;
     const Real thick = 0.02, c = cos(lean), s = sin(lean);
     const Vec3 card(thick, 1, 0.7), flat(1, thick, 0.7);

@@ -8,6 +8,8 @@
 
 namespace rigid {
 
+// What a scene cannot be made of gets std::invalid_argument: no row, a mass of zero.
+
 /// Bricks of 45 kg in rows, each row half a brick beside the one below.
 SpaceScene brick_wall(int rows, int columns, Real mu);
 

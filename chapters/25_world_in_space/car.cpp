@@ -5,8 +5,23 @@
 
 namespace rigid {
 
+static void require_valid(const Car& car)
+{
+    require_positive("the mass of a car", car.mass);
+    require_positive("the mass of a car's wheel", car.wheel_mass);
+    require_positive("the radius of a car's wheel", car.radius);
+    require_positive("the way that a car sinks", car.sink);
+    if (!(car.damping >= 0 && car.torque >= 0) || !std::isfinite(car.damping) ||
+        !std::isfinite(car.torque) || !std::isfinite(car.speed))
+        throw std::invalid_argument(
+            "a car has the damping " + shortest(car.damping) + ", the torque " +
+            shortest(car.torque) + " N m and the speed " + shortest(car.speed) +
+            " m/s; none may be infinite, and the first two not negative");
+}
+
 SpaceScene car_on_floor(const Car& car, Real mu)
 {
+    require_valid(car);
     SpaceScene scene;
     const Vec3 size(3, 0.5, 1.3);
     add_body(scene, {solid_box(size)}, car.mass / size.prod(),
@@ -43,6 +58,8 @@ static void require_car(const SpaceScene& scene)
 //! [struts]
 void push_struts(SpaceScene& scene, const Car& car, Real h)
 {
+    require_valid(car);
+    require_step(h);
     require_car(scene);
     Bodies<6>& bodies = scene.bodies;
     const VecX u = bodies.u;  // no strut sees what another has pushed

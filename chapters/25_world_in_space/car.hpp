@@ -26,13 +26,16 @@ struct Car {
     }
 };
 
+// A car that is none, such as one without mass, gets std::invalid_argument.
+
 /// Body 0 is the box, at the height at which its struts are not pressed; then come the
 /// wheels, and joint i holds wheel i + 1.
 SpaceScene car_on_floor(const Car& car, Real mu);
 
 /// (25.10) of the four struts, for a step of length h that comes after it. A step longer
 /// than 2 m/d of a wheel is unstable: with the values above, 1/42 s.
-/// \throws std::invalid_argument  for a scene that does not begin with a car
+/// \throws std::invalid_argument  for a scene that does not begin with a car, and a step
+///                                that is not positive
 void push_struts(SpaceScene& scene, const Car& car, Real h);
 
 /// Sleepers across the way of the car, that cannot move.

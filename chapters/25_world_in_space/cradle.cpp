@@ -2,11 +2,23 @@
 #include "common/eigen_instances.hpp"
 
 #include "chapters/25_world_in_space/cradle.hpp"
+#include "common/scenes.hpp"
 
 namespace rigid {
 
 JointedSolids newtons_cradle(const Cradle& cradle)
 {
+    require_count("balls of a cradle", cradle.balls);
+    require_positive("the radius of a cradle's balls", cradle.radius);
+    require_positive("the length of a cradle's rods", cradle.length);
+    if (cradle.lifted < 0 || cradle.lifted > cradle.balls)
+        throw std::invalid_argument("a cradle of " + std::to_string(cradle.balls) +
+                                    " balls has " + std::to_string(cradle.lifted) +
+                                    " of them lifted");
+    if (!(cradle.gap >= 0) || !std::isfinite(cradle.gap))
+        throw std::invalid_argument("the gap of a cradle's balls is " +
+                                    shortest(cradle.gap) +
+                                    " m; it must be zero or positive and finite");
     JointedSolids scene;
     SolidMass ball;
     ball.mass = 1;

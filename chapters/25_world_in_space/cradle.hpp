@@ -17,6 +17,8 @@ struct Cradle {
     Real length = 1;     ///< of a rod [m]
 };
 
+/// \throws std::invalid_argument  for no ball, more lifted than there are, a length or a
+///                                radius that is not positive, a gap below zero
 JointedSolids newtons_cradle(const Cradle& cradle);
 
 /// The speed at which a lifted ball meets the next, from ½ (m l² + I) ω² = m g l (1 − cos α) [m/s].

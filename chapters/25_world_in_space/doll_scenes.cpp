@@ -2,6 +2,7 @@
 #include "common/eigen_instances.hpp"
 
 #include "chapters/25_world_in_space/doll_scenes.hpp"
+#include "common/scenes.hpp"
 
 namespace rigid {
 
@@ -51,6 +52,8 @@ void add_doll(SpaceScene& scene, const Vec3& at)
 
 void add_stairs(SpaceScene& scene, int steps, Real width, Real mu)
 {
+    require_count("steps of stairs", steps);
+    require_positive("the width of stairs", width);
     for (int i = 0; i < steps; ++i) {
         const Real from = i == 0 ? -2 : 0.3 * (i - 1), to = 0.3 * i;
         const Vec3 size(to - from, 0.18 * (steps - i), width);
@@ -62,6 +65,7 @@ void add_stairs(SpaceScene& scene, int steps, Real width, Real mu)
 
 SpaceScene dolls_on_stairs(int dolls, Real speed, int steps)
 {
+    require_count("dolls", dolls);
     SpaceScene scene;
     const int row = std::min(dolls, 5);
     add_stairs(scene, steps, 1.9 * row + 0.5, 0.5);

@@ -144,7 +144,8 @@ void stop_fast_solids(SpaceScene& scene, const StepSettings& settings,
             if (!fast.is_fast[static_cast<std::size_t>(b)] && may_meet(a, b))
                 hold(a, first_impact(m, motion(b),
                                      std::max(fast.inner[at], inner_of(b))));
-        const Real held_within = stays_near(m) ? margin + row_within(m) : -infinity;
+        const Real held_within =
+            stays_near(m) ? margin + near.way_of[at] : -infinity;
         for (const SolidWall& wall : scene.walls)
             for (const SolidForm& form : forms(a))
                 hold(a, search(fast.inner[at], held_within,

@@ -10,6 +10,7 @@ void look_ahead(const SolidScene& scene, Real margin, Real h, Real most,
                 SolidPairs& near)
 {
     near.ahead_of.assign(near.forms.size(), 0);
+    near.way_of.assign(near.forms.size(), 0);
     if (!(most > 0)) return;
     for (Index k = 0; k < scene.bodies.count(); ++k) {
         const auto i = static_cast<std::size_t>(k);
@@ -18,8 +19,9 @@ void look_ahead(const SolidScene& scene, Real margin, Real h, Real most,
         const Real falls = scene.bodies.can_move(k) ? scene.gravity.norm() * h : 0,
                    turns = u.tail<3>().norm() * near.reach[i],
                    way = h * (u.head<3>().norm() + falls + turns);
-        if (way > margin / 2)
-            near.ahead_of[i] = std::min(way, most * near.inner[i]);
+        if (!(way > margin / 2)) continue;
+        near.way_of[i] = way;
+        near.ahead_of[i] = std::min(way, most * near.inner[i]);
     }
 }
 //! [ahead]

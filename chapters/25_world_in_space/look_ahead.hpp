@@ -7,7 +7,7 @@
 namespace rigid {
 
 /// (12.14), of the bodies that are looked at.
-/// \param most  how far at most [inner radii]
+/// \param most  how far at most [inner radii]; not to walls: they have no corner
 void look_ahead(const SolidScene& scene, Real margin, Real h, Real most,
                 SolidPairs& near);
 
