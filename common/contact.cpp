@@ -26,8 +26,7 @@ Contact segment_contact(const DiscScene& scene, const VecX& x, std::size_t i, In
     const Vec2 from_end = there < 0 ? d : Vec2(centre - segment.q);
     const Real distance = from_end.norm();
     // Zero for a centre in q whose foot lies beyond it by rounding: any direction parts them.
-    const Vec2 normal = distance > 0 ? Vec2(from_end / distance) : perpendicular(along);
-    return {world, b, normal, distance - reach, wall};
+    return {world, b, direction_of(from_end, distance, perpendicular(along)), distance - reach, wall};
 }
 
 void find_contacts(const DiscScene& scene, Real margin, std::vector<Contact>& contacts)

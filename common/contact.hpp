@@ -42,8 +42,7 @@ inline Contact disc_contact(const DiscScene& scene, const VecX& x, Index a, Inde
 {
     const Vec2 d = x.segment<2>(2 * b) - x.segment<2>(2 * a);
     const Real distance = d.norm();
-    const Vec2 normal = distance > 0 ? Vec2(d / distance) : Vec2(0, 1);
-    return {a, b, normal, distance - scene.radius[a] - scene.radius[b], 0};
+    return {a, b, direction_of(d, distance, {0, 1}), distance - scene.radius[a] - scene.radius[b], 0};
 }
 
 /// The contact of disc b with a segment. Beside it the normal is that of the segment, towards the disc; beyond its ends

@@ -32,6 +32,13 @@ inline constexpr Real infinity = std::numeric_limits<Real>::infinity();
 inline constexpr Real largest_number = 1e75;
 inline constexpr Real pi = 3.14159265358979323846;
 
+/// d over its length, a unit vector; `otherwise` for what is shorter than 10⁻⁷⁵: the squares of a length of 10⁻¹⁵⁰ have lost
+/// their digits.
+inline Vec2 direction_of(const Vec2& d, Real length, const Vec2& otherwise)
+{
+    return length > 1 / largest_number ? Vec2(d / length) : otherwise;
+}
+
 /// The third component of the cross product of two plane vectors: a.x b.y - a.y b.x.
 inline Real cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 

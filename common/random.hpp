@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <stdexcept>
+#include <string>
 
 namespace rigid {
 
@@ -23,7 +25,13 @@ public:
     Real uniform(Real low, Real high) { return low + (high - low) * uniform(); }
 
     /// One of 0 … count-1. The bias of the remainder is below count / 2^64.
-    Index index(Index count) { return static_cast<Index>(bits_() % static_cast<std::uint64_t>(count)); }
+    Index index(Index count)
+    {
+        if (count < 1)
+            throw std::invalid_argument("a random number is to be one of " + std::to_string(count) +
+                                        "; there must be 1 or more");
+        return static_cast<Index>(bits_() % static_cast<std::uint64_t>(count));
+    }
 
     /// Standard normal, by the method of Box and Muller.
     Real normal()

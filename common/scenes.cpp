@@ -85,7 +85,8 @@ Real typical_length(const DiscScene& scene)
         ++count;
     }
     const Real mean = count > 0 ? movable / count : K > 0 ? sum / static_cast<Real>(K) : Real{0.1};
-    if (!(mean > 0) || !std::isfinite(mean)) return 1;  // require_valid() says what is wrong with such radii
+    if (!(mean > 0) || !std::isfinite(10 * mean))
+        return 1;  // require_valid() says what is wrong with such radii
     return pow(10.0, std::round(log10(10 * mean)));
 }
 
@@ -221,8 +222,8 @@ DiscScene column(Index count, Real top_mass)
 DiscScene column_between_walls(Index count, Real top_mass, Real clearance)
 {
     DiscScene scene = column(count, top_mass);
-    if (!std::isfinite(clearance))
-        refuse("the clearance beside a column", clearance, "a finite number of metres");
+    if (!(clearance >= 0) || !std::isfinite(clearance))
+        refuse("the clearance beside a column", clearance, "zero or a positive number of metres");
     const Real from_middle = scene.radius[0] + clearance;
     scene.walls.push_back({{1, 0}, -from_middle});
     scene.walls.push_back({{-1, 0}, -from_middle});

@@ -33,9 +33,10 @@ struct DiscScene {
 //! [typical_length]
 /// The length that a scene's settings are measured in [m]: `scene.length`, and
 /// where that is zero the power of ten that is nearest to ten times the mean
-/// radius of the discs that can move: 1 m for radii around 0.1 m. A margin or a
-/// slop is chosen by its order of magnitude, so nothing finer is derived. To
-/// scale a scene by 2, set the length.
+/// radius of the discs that can move (of all, where none can): 1 m for radii
+/// around 0.1 m, and where there are no radii. A margin or a slop is chosen by
+/// its order of magnitude, so nothing finer is derived. To scale a scene by 2,
+/// set the length.
 Real typical_length(const DiscScene& scene);
 //! [typical_length]
 

@@ -8,7 +8,7 @@
 namespace rigid {
 
 /// The power of ten next to the mean size of the bodies that can move, twice the way from the centroid to the farthest
-/// point [m]; 1 m without any.
+/// point [m]; 1 m without any, or where their size is no number.
 /// \param given     what the scene says [m]; 0: it is derived
 /// \param reach_of  Real(Index k): from the centroid of body k to its farthest point [m]
 /// Throws std::invalid_argument for a given length that is negative or not finite.
@@ -25,7 +25,7 @@ Real typical_length(const Bodies<Dof>& bodies, Real given, const Reach& reach_of
         sum += 2 * reach_of(k);
         ++count;
     }
-    return sum > 0 ? pow(10.0, std::round(log10(sum / count))) : 1;
+    return sum > 0 && sum < infinity ? pow(10.0, std::round(log10(sum / count))) : 1;
 }
 
 }  // namespace rigid

@@ -446,3 +446,29 @@ TEST_CASE("settings of rest that make no sense are refused before shapes move", 
     room.method.contacts.rest.speed = -1;
     CHECK(sentence_of([&] { room.run(1); }) == "the speed of rest is -1; it must be positive and finite");
 }
+
+TEST_CASE("a body that is changed has to rest for all of its time however fast it was then", "[idea]")
+{
+    for (const bool changed : {false, true}) {
+        RigidScene smooth;
+        smooth.walls.push_back({{0, 1}, 0});
+        add_body(smooth, box(1, 1), 1, {0, 0.5});
+        RoughScene scene = rough(smooth);
+        scene.bodies.u[0] = 1;
+        SkippingFriction method = careful();
+        StepData<3> now;
+        step(scene, {.h = time_step}, method, now);
+        CHECK(method.contacts.rests[0].time == 0);  // too fast
+        if (changed) scene.bodies.u[0] = 0.5;
+        step(scene, {.h = time_step}, method, now);
+        CHECK(method.contacts.rests[0].undisturbed == (changed ? time_step : infinity));
+        int steps = 0;
+        while (steps < 200 && (steps == 0 || method.contacts.set.is_awake(0))) {
+            step(scene, {.h = time_step}, method, now);
+            ++steps;
+        }
+        // it slides for v/(μ g) = 0.17 s or 0.085 s and lies still at once; changed, it rests for half a second more
+        if (changed) CHECK(steps >= 30);
+        else CHECK(steps < 30);
+    }
+}

@@ -882,3 +882,44 @@ TEST_CASE("bad surfaces are refused with a sentence", "[house]")
     CHECK(sentence_of([&] { require_valid_surfaces(scene); }) ==
           "the scene has 2 surfaces for 1 bodies; each needs its own, or none of them has one");
 }
+
+TEST_CASE("a tolerance that would let in any answer is refused by all solvers that take one", "[house]")
+{
+    // one row, w = λ − 1.7 ≥ 0: to a share of 1 of its numbers λ = 0 would be an answer, off by 1.7 m/s
+    const auto status_of = [](Real tolerance) {
+        Mlcp mlcp;
+        mlcp.A = MatX::Identity(1, 1).sparseView();
+        mlcp.q = VecX::Constant(1, -1.7);
+        mlcp.lo = VecX::Zero(1), mlcp.hi = VecX::Constant(1, infinity);
+        Mlcp both_ways = mlcp;
+        both_ways.lo[0] = -infinity;
+        EnumerationSettings cases;
+        LemkeSettings walk;
+        ActiveSetSettings sets;
+        FrictionSettings friction;
+        for (Real* const share : {&cases.tolerance, &walk.tolerance, &sets.tolerance, &friction.tolerance})
+            *share = tolerance;
+        FrictionMemory memory;
+        const auto guesses = [&] {
+            Solution solution;
+            friction_active_sets(mlcp, {}, friction, memory, solution);
+            return solution;
+        };
+        std::vector<std::string> said;
+        const std::vector<std::function<Solution()>> solvers = {
+            [&] { return direct(both_ways, tolerance); }, [&] { return enumerate(mlcp, cases); },
+            [&] { return lemke(mlcp, walk); }, [&] { return active_sets(mlcp, sets); }, guesses};
+        for (const auto& solve : solvers)
+            said.push_back(sentence_of([&] {
+                const Solution solution = solve();
+                CHECK(solution.status == Status::solved);
+                CHECK(solution.lambda[0] == Approx(1.7).epsilon(tolerance));
+            }));
+        return said;
+    };
+    for (const Real tolerance : {0.01, 1.0, infinity})
+        for (const std::string& said : status_of(tolerance))
+            CHECK(said == "the tolerance of an answer is " + shortest(tolerance) +
+                              " of the numbers in its rows; it must be below 0.01");
+    for (const std::string& said : status_of(0.0099)) CHECK(said == "accepted");
+}

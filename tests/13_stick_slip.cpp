@@ -8,6 +8,8 @@
 #include "tests/order.hpp"
 #include "tests/sentence.hpp"
 
+#include <array>
+
 using namespace rigid;
 
 namespace {
@@ -236,6 +238,45 @@ TEST_CASE("two coefficients that make no sense or that a method does not know ar
           "it, the "
           "methods of chapter 13");
     CHECK(scene.bodies.x == before);
+}
+
+namespace {
+
+/// A solver stage that fails in the first half of a step, and whose slider turns around in the second.
+struct FailsFirst : PlainSolver {
+    static constexpr bool is_exact = true;
+    int solved = 0;
+    template <int Dof>
+    void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
+    {
+        if (now.substep == 0 && !now.second_half) unsolved = 0;
+        unsolved += !now.second_half;
+        bodies.u[0] = std::array{1, -1, 0}[static_cast<std::size_t>(solved++)];
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a second half that is solved again leaves the failure of the first half", "[house]")
+{
+    HoldOrSlide<FailsFirst> solver;
+    Bodies<3> bodies(1);
+    bodies.u[0] = 1;
+    StepData<3> now;
+    now.contacts.resize(1);
+    now.sources = {{Source::Of::contact, 0, 0}, {Source::Of::contact, 0, 1}};
+    now.constraints.resize(2);
+    now.constraints[1].friction = 0.6, now.constraints[1].weakening = 0.2;
+    now.rows.resize(2);
+    now.rows[1].Jb = {1, 0, 0};
+    now.rows[1].bounded_by = 0;
+    now.solution.lambda = VecX::Zero(2);
+    solver.solve(bodies, now);
+    CHECK(solver.unsolved == 1);
+    now.second_half = true;
+    solver.solve(bodies, now);
+    CHECK(solver.solved == 3);  // it turned around: once more
+    CHECK(solver.unsolved == 1);
 }
 
 TEST_CASE("islands with friction that are solved one by one give the answer of the whole", "[idea]")

@@ -40,10 +40,9 @@ JointedScene random_joint(Random& random, JointKind kind, bool on_world)
         joint.motor = {0.5, 3, 0, 0, 0};
         joint.spring = {0, 0, 40, 2, 0.3};
     } else {
-        joint.motor.force = 5;
-        joint.spring = {0, 7, 40, 2, 0};
-        joint.torque = 3;
-        if (kind < JointKind::mouse) joint.motor = joint.spring = {};
+        if (kind == JointKind::friction) joint.motor.force = 5;
+        if (kind == JointKind::mouse || kind == JointKind::motor) joint.spring = {0, 7, 40, 2, 0};
+        if (kind == JointKind::friction || kind == JointKind::motor) joint.torque = 3;
     }
     add_joint(scene, joint);
     for (Index i = 0; i < 6; ++i) scene.bodies.u[i] = random.uniform(-2, 2);
@@ -305,6 +304,48 @@ TEST_CASE("a pendulum between its limits moves the same to the bit when far limi
     CHECK((swing(Exact{}, true, some) - swing(Exact{}, false, none)).cwiseAbs().maxCoeff() <= 1e-8);
 }
 
+TEST_CASE("a limit holds where the motor of another joint begins", "[idea]")
+{
+    // an upper arm at rest is turned at 50 rad/s at once: by its inertia the forearm turns back by 2.5 times as much
+    for (const bool spring : {false, true})
+        for (const bool skip : {true, false}) {
+            CAPTURE(spring, skip);
+            JointedScene scene;
+            scene.gravity = {0, 0};
+            for (const Real x : {0.5, 1.5}) add_body(scene, capsule(1, 0), thin_rod(1, 1), {x, 0});
+            RigidJoint shoulder = joint_at(scene, JointKind::revolute, world, 0, {0, 0});
+            if (spring) shoulder.spring = {0, 0, 1e5, 0, 1};
+            else shoulder.motor.speed = 50, shoulder.motor.force = 1e6;
+            add_joint(scene, shoulder);
+            RigidJoint elbow = joint_at(scene, JointKind::revolute, 0, 1, {1, 0});
+            elbow.lower = -0.3, elbow.upper = 0.3;
+            add_joint(scene, elbow);
+            Exact method;
+            method.contacts.skip_far_limits = skip;
+            StepData<3> now;
+            step(scene, {}, method, now);
+            CHECK(now.solution.status == Status::solved);
+            CHECK(scene.bodies.velocity(0)[2] > 10);
+            // an angle is linear in x: to rounding
+            CHECK(coordinate(scene.bodies.x, scene.placed[1].joint) >= -0.3 - 1e-9);
+            CHECK(method.contacts.limits_skipped == 0);
+        }
+    // at rest, without a motor that begins, far limits have no rows
+    JointedScene scene;
+    scene.gravity = {0, 0};
+    for (const Real x : {0.5, 1.5}) add_body(scene, capsule(1, 0), thin_rod(1, 1), {x, 0});
+    RigidJoint shoulder = joint_at(scene, JointKind::revolute, world, 0, {0, 0});
+    shoulder.motor.force = 1e6;  // its speed is 0
+    add_joint(scene, shoulder);
+    RigidJoint elbow = joint_at(scene, JointKind::revolute, 0, 1, {1, 0});
+    elbow.lower = -0.3, elbow.upper = 0.3;
+    add_joint(scene, elbow);
+    Exact method;
+    StepData<3> now;
+    step(scene, {}, method, now);
+    CHECK(method.contacts.limits_skipped == 2);
+}
+
 TEST_CASE("a knock counts as its impulse over the sub-step and a load as what it is", "[idea]")
 {
     // a body that moves at 2 m/s is caught by its pin in one step; then it hangs there
@@ -358,6 +399,33 @@ TEST_CASE("a joint that bears too much breaks and its rows are gone", "[house]")
     for (int i = 0; i < 60; ++i) step(scene, {}, method, now);
     CHECK(now.rows.empty());
     CHECK(scene.bodies.x[1] < -4.8);  // half of g after a second
+}
+
+TEST_CASE("a joint breaks by what it bears in any sub-step of a step", "[idea]")
+{
+    // a body at 2 m/s is caught by its pin in the first sub-step, which takes 3 kg · 2 m/s; then it hangs there
+    for (const int substeps : {1, 4})
+        for (const Real share : {0.9, 1.1}) {
+            CAPTURE(substeps, share);
+            JointedScene scene;
+            add_body(scene, box(1, 1), Mass{3, {0, 0}, 0.5}, {0, 0});
+            RigidJoint pin = joint_at(scene, JointKind::revolute, world, 0, {0, 0});
+            const Real h = 1.0 / 60, knock = 3 * 2 / (h / substeps);
+            pin.breaking_force = share * knock;
+            add_joint(scene, pin);
+            scene.bodies.u[0] = 2;
+            Exact method;
+            StepData<3> now;
+            step(scene, {.h = h, .substeps = substeps}, method, now);
+            CHECK(scene.placed[0].broken == (share < 1));
+            CHECK(method.contacts.broken == (share < 1 ? 1 : 0));
+            CHECK(scene.bodies.x[0] == Approx(0).margin(1e-9));  // it held to the end of the step
+            if (substeps > 1)  // what is read is the last sub-step's; rounding over h
+                CHECK(reaction(scene, now, 0).force.norm() == Approx(3 * 9.81).epsilon(1e-6));
+            step(scene, {.h = h, .substeps = substeps}, method, now);
+            CHECK(method.contacts.broken == 0);
+            CHECK(now.rows.empty() == (share < 1));
+        }
 }
 
 // ---- exercises
@@ -485,6 +553,38 @@ TEST_CASE("a joint that makes no sense is refused with a sentence that names it"
           "the weld joint 0 has limits, a motor or a spring; it has no coordinate that they could act on");
     CHECK(says([](RigidJoint& joint) { joint.kind = JointKind::mouse; }) ==
           "the mouse joint 0 pulls by a spring of no stiffness and no damping; give it one");
+    const auto idle = [&](JointKind kind, const std::function<void(RigidJoint&)>& set) {
+        return says([&](RigidJoint& joint) {
+            joint.kind = kind;
+            if (kind != JointKind::friction) joint.spring.stiffness = 1;
+            set(joint);
+        });
+    };
+    const std::string pull =
+        " that does nothing; it has the stiffness, the damping and the force of its spring";
+    CHECK(idle(JointKind::mouse, [](RigidJoint& joint) { joint.torque = 3; }) ==
+          "the mouse joint 0 has a setting of 3" + pull);
+    CHECK(idle(JointKind::motor, [](RigidJoint& joint) { joint.spring.target = -1; }) ==
+          "the motor joint 0 has a setting of -1" + pull + ", and a torque");
+    CHECK(idle(JointKind::friction, [](RigidJoint& joint) { joint.motor.speed = 2; }) ==
+          "the friction joint 0 has a setting of 2 that does nothing; it has the force of its motor, and a "
+          "torque");
+    for (const auto& set :
+         {+[](RigidJoint& joint) { joint.motor.speed = 2; },
+          +[](RigidJoint& joint) { joint.spring.target = 2; },
+          +[](RigidJoint& joint) { joint.motor.force = 2; },
+          +[](RigidJoint& joint) { joint.spring.force = 2; },
+          +[](RigidJoint& joint) { joint.spring.stiffness = 2; },
+          +[](RigidJoint& joint) { joint.spring.damping = 2; }, +[](RigidJoint& joint) { joint.torque = 2; }})
+        for (const JointKind kind : {JointKind::mouse, JointKind::motor, JointKind::friction}) {
+            RigidJoint alone;
+            set(alone);
+            const bool pulls = alone.spring.force + alone.spring.stiffness + alone.spring.damping > 0,
+                       acts = kind == JointKind::friction
+                                  ? alone.motor.force + alone.torque > 0
+                                  : pulls || (kind == JointKind::motor && alone.torque > 0);
+            CHECK((idle(kind, set).find("that does nothing") == std::string::npos) == acts);
+        }
 }
 
 TEST_CASE("bad joints and changes of joints are refused with a sentence and leave the scene as it was",

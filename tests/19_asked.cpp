@@ -2,6 +2,7 @@
 
 #include "chapters/19_engine/moving_worlds.hpp"
 #include "chapters/19_engine/recording.hpp"
+#include "chapters/19_engine/resting_forces.hpp"
 #include "chapters/19_engine/world.hpp"
 
 #include "common/random.hpp"
@@ -9,6 +10,7 @@
 #include "tests/world_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <thread>
@@ -198,6 +200,60 @@ TEST_CASE("a joint that gets a limit bears on what it bore", "[idea]")
     CHECK(never < 0.2);
     // a limit that is far is no row of the problem: the same to rounding, and what a second of a chain makes of it
     for (const int every : {60, 2}) CHECK(largest_spin(every) == Approx(never).epsilon(1e-6));
+}
+
+TEST_CASE("a limit that becomes a motor in one change leaves it none of its impulse", "[idea]")
+{
+    // a rod that points to the left lies on its upper limit, which turns it by −½ m g r; a motor acts the other way round
+    for (const bool sleep : {false, true}) {
+        CAPTURE(sleep);
+        World engine({.sleep = sleep});
+        const BodyId rod = engine.add_body(body_at({-0.5, 0}, 1, box(1, 0.1)));
+        RigidJoint how = engine.joint_at(JointKind::revolute, {}, rod, {0, 0});
+        how.upper = 0;
+        const JointId pin = engine.add_joint({}, rod, how);
+        run(engine, 60);
+        CHECK(engine.is_awake(rod) == !sleep);
+        const Real moment = -0.5 * 0.1 * 9.81;
+        CHECK(engine.torque(pin) == Approx(moment).epsilon(1e-6));
+        const Vec2 force = engine.force(pin);
+        CHECK(force.y() == Approx(0.1 * 9.81).epsilon(1e-6));
+        how.upper = infinity;
+        how.motor.force = 100;
+        engine.change(pin, how);
+        CHECK(std::abs(engine.torque(pin)) <
+              1e-12);  // of the pin, by rounding; its own row has borne nothing
+        CHECK(engine.force(pin) == force);
+        World other = World::load(engine.save());
+        for (World* one : {&engine, &other}) {
+            one->step(frame);
+            CHECK(one->torque(pin) == Approx(moment).epsilon(1e-6));
+            CHECK(std::abs(one->spin(rod)) < 1e-9);
+        }
+        CHECK(engine.hash() == other.hash());
+    }
+}
+
+TEST_CASE("a sleeper on a pulley bears its own rope and not what acts on the other body", "[house]")
+{
+    // no scene sleeps with a force across a rope that can be seen: one is put there
+    EngineState state;
+    JointedScene& scene = state.scene;
+    for (const Real x : {-2.0, 2.0}) add_body(scene, box(1, 1), 1, {x, 0});
+    RigidJoint pulley;
+    pulley.kind = JointKind::pulley;
+    pulley.a = 0, pulley.b = 1;
+    pulley.over_a = {-2, 5}, pulley.over_b = {2, 5};
+    pulley.length = 10;
+    add_joint(scene, pulley);
+    ToldManifolds& sleepers = state.awake();
+    sleepers.wake_all(scene.bodies);
+    sleepers.set.sleep(std::array{0, 1});
+    sleepers.forces.put(0, joint_key(0, 0), 9.81);  // of the rope
+    sleepers.forces.put(0, joint_key(0, 1), 3);     // across its part at a
+    CHECK((resting_reaction(state, 0, 1).force - Vec2(0, 9.81)).norm() < 1e-12);
+    sleepers.forces.put(0, joint_key(0, 2), 5);  // across its part at b
+    CHECK((resting_reaction(state, 0, 1).force - Vec2(5, 9.81)).norm() < 1e-12);
 }
 
 TEST_CASE("what a joint bears while its body sleeps is the same whatever else is awake", "[idea]")

@@ -635,7 +635,8 @@ TEST_CASE("two free bodies keep their momentum whatever joins them", "[idea]")
             if (far) joint.at_a = {0.25, 0.05}, joint.at_b = {-0.25, 0.02};
             if (kind == distance || kind == rope) joint.length = Vec2(1, 0.17).norm();
             if (kind == wheel) joint.spring = {0, 0, 50, 1, 0}, joint.motor = {1, 2, 0, 0, 0};
-            if (kind == mouse || kind == motor) joint.spring = {0, 0.5, 20, 1, 0}, joint.torque = 1;
+            if (kind == mouse || kind == motor) joint.spring = {0, 0.5, 20, 1, 0};
+            if (kind == motor) joint.torque = 1;
             if (kind == friction) joint.motor.force = 0.3, joint.torque = 0.1;
             engine.add_joint(both[0], both[1], joint);
             const auto momentum = [&] {

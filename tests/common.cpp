@@ -11,6 +11,7 @@
 #include "common/random.hpp"
 #include "common/scenes.hpp"
 #include "common/text.hpp"
+#include "common/typical_length.hpp"
 
 using namespace rigid;
 
@@ -103,6 +104,27 @@ TEST_CASE("two discs with one centre get a contact with a finite normal")
     REQUIRE(contacts.size() == 1);
     CHECK(contacts[0].normal.norm() == Approx(1).margin(rounding));
     CHECK(contacts[0].gap == Approx(-0.2).margin(rounding));
+}
+
+TEST_CASE("centres whose distance has no square get a unit normal and those that have one their own")
+{
+    // (1e-160)² is 1e-320, which has four digits; (5e-324)² is 0; that of 1e-74 has all of its digits
+    for (const Real distance : {5e-324, 1e-160, 1e-155, 1e-74, 1e-3}) {
+        VecX x = VecX::Zero(4), radius = VecX::Constant(2, 0.1);
+        x[2] = 0.6 * distance, x[3] = -0.8 * distance;
+        std::vector<Contact> contacts;
+        find_contacts(scene_of(x, radius), 0, contacts);
+        REQUIRE(contacts.size() == 1);
+        CHECK(std::abs(contacts[0].normal.norm() - 1) < rounding);
+        if (distance > 1e-75) CHECK((contacts[0].normal - Vec2(0.6, -0.8)).norm() < rounding);
+
+        DiscScene beside;  // beyond the end of a wall
+        beside.segments = {{{-1, 0}, {0, 0}, 0.05}};
+        add_disc(beside, {0.6 * distance, -0.8 * distance}, 1, 0.1);
+        find_contacts(beside, 0, contacts);
+        REQUIRE(contacts.size() == 1);
+        CHECK(std::abs(contacts[0].normal.norm() - 1) < rounding);
+    }
 }
 
 TEST_CASE("a wall with two ends is solid from both sides and round at its ends")
@@ -381,9 +403,30 @@ TEST_CASE("a scene of no discs or of less than none is refused by a sentence")
     CHECK_THROWS_WITH(column(3, 0), "the mass of disc 2 is 0; it must be positive");
     CHECK_THROWS_WITH(hanging_chain(3, std::nan("")), "the mass of disc 3 is nan; it must be positive");
     CHECK_THROWS_WITH(column_between_walls(2, 1, infinity),
-                      "the clearance beside a column is inf; it must be a finite number of metres");
+                      "the clearance beside a column is inf; it must be zero or a positive number of metres");
+    CHECK_THROWS_WITH(
+        column_between_walls(2, 1, -0.01),
+        "the clearance beside a column is -0.01; it must be zero or a positive number of metres");
     CHECK(column_between_walls(1).bodies.count() == 1);
     CHECK(hanging_chain(1).bodies.count() == 2);
+}
+
+TEST_CASE("the length of a scene is a number whatever its discs are")
+{
+    DiscScene scene;
+    CHECK(typical_length(scene) == 1);  // of none
+    scene.bodies = Bodies<2>(1);
+    scene.bodies.inverse_mass.setZero();
+    scene.radius = VecX::Constant(1, 2);
+    CHECK(typical_length(scene) == 10);  // of all, as none can move: log10(20) is 1.3
+    for (const Real radius : {1e308, infinity, Real(NAN), -1.0, 0.0}) {
+        scene.radius.setConstant(radius);
+        CHECK(typical_length(scene) == 1);
+        if (radius > 1) {  // of bodies that turn: the sum of two is beyond all numbers
+            const Bodies<3> bodies(2);
+            CHECK(typical_length(bodies, 0, [radius](Index) { return radius; }) == 1);
+        }
+    }
 }
 
 TEST_CASE("a message has the number itself and not its first six digits")
@@ -454,6 +497,12 @@ TEST_CASE("random numbers are the same on every machine")
     // Three and a bit standard deviations of the mean (1/√n) and of the variance (√(2/n)).
     CHECK(std::abs(mean) < 0.011);
     CHECK(std::abs(square - 1) < 0.016);
+
+    Random untouched(42), refused(42);
+    for (const Index count : {Index{0}, Index{-3}})
+        CHECK_THROWS_WITH(refused.index(count), "a random number is to be one of " + std::to_string(count) +
+                                                    "; there must be 1 or more");
+    CHECK(refused.index(1000) == untouched.index(1000));  // a refusal draws nothing
 }
 
 TEST_CASE("every scene is valid and starts with its links at their length and its discs touching at most")

@@ -851,6 +851,36 @@ TEST_CASE("as many steps are taken as the speed requires and a backlog is droppe
     CHECK(show.playback()->steps() == paused_at + 1);
 }
 
+TEST_CASE("what is no number is refused while a run goes on and the run goes on")
+{
+    const Program program = toy::program();
+    Show show(program, parsed(program, {"--h", "0.01"}));
+    show.advance(0.055, {}, 0);
+    CHECK_THROWS_WITH(show.set_tunable(program.scenes[0].tunables[0], NAN),
+                      "g is to be nan; it must be a number");
+    CHECK_THROWS_WITH(show.set_h(NAN), "the time step is to be nan; it must be a number");
+    CHECK(show.settings()["g"] == 8);
+    CHECK(show.settings().h == 0.01);
+    CHECK_THROWS_WITH(show.advance(NAN, {}, 0),
+                      "the time since the last frame is nan; it must be zero or positive, and finite");
+    for (const Real speed : {Real(NAN), infinity, -1.0}) {
+        show.speed = speed;
+        CHECK_THROWS_WITH(show.advance(0.01, {}, 0), "the speed of the show is " + shortest(speed) +
+                                                         "; it must be zero or positive, and finite");
+    }
+    show.speed = 1;
+    CHECK(show.playback()->steps() == 5);
+    show.advance(0.02, {}, 0);
+    CHECK(show.playback()->steps() == 7);
+
+    Options options = parsed(program, {});
+    options.settings.h = NAN;
+    CHECK_THROWS_WITH(Show(program, options), "the time step is to be nan; it must be a number");
+    options = parsed(program, {});
+    options.settings.tunables["g"] = NAN;
+    CHECK_THROWS_WITH(Show(program, options), "g is to be nan; it must be a number");
+}
+
 TEST_CASE("recording stops at each step that is to be a frame")
 {
     const Program program = toy::program();

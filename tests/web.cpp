@@ -327,6 +327,30 @@ TEST_CASE("a picture follows the hand while the run is paused", "[house]")
     CHECK(show.show().playback()->steps() == 0);
 }
 
+TEST_CASE("a page that gives no numbers is refused and its pull goes on with the next", "[house]")
+{
+    const Program program = toy::program();
+    WebShow show(program, options_for(program.scenes[0]));
+    show.show().set_h(0.01);
+    show.picture(300, 200);
+    show.point({150, 100}, true, true);
+    CHECK(show.pressed());
+    show.point({NAN, 100}, true, true);
+    CHECK_FALSE(show.pressed());
+    show.point({150, 100}, true, true);
+    CHECK(show.pressed());
+    CHECK_THROWS_WITH(show.advance(NAN),
+                      "the time since the last frame is nan; it must be zero or positive, and finite");
+    show.advance(0.1);
+    CHECK(show.show().playback()->steps() > 0);
+
+    CHECK(seed_of(7) == 7);
+    CHECK(seed_of(0x1p53) == std::uint64_t{1} << 53);
+    for (const Real number : {Real(NAN), -1.0, 0.5, 1e17})
+        CHECK_THROWS_WITH(seed_of(number),
+                          "the seed is " + shortest(number) + "; it must be a whole number from 0 to 2^53");
+}
+
 TEST_CASE("a page that was hidden does not catch up", "[house]")
 {
     const Program program = toy::program();

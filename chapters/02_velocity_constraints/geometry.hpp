@@ -18,14 +18,14 @@
 
 namespace rigid {
 
-/// d/‖d‖ and ‖d‖. A zero vector has no direction; it is given y.
+/// d/‖d‖ and ‖d‖. What is shorter than 10⁻⁷⁵ has no direction; it is given y.
 struct Direction {
     Vec2 n;       ///< unit vector
     Real length;  ///< [m]
 
     explicit Direction(const Vec2& d) : n(0, 1), length(d.norm())
     {
-        if (length > 0) n = d / length;
+        n = direction_of(d, length, n);
     }
 };
 

@@ -74,6 +74,7 @@ Solution direct(const Mlcp& mlcp, Real tolerance)
     if (!(tolerance >= 0))
         throw std::invalid_argument("the tolerance is " + shortest(tolerance) +
                                     "; it must be zero or positive");
+    require_share(tolerance);
     std::vector<Index> rows;
     for (Index i = 0; i < mlcp.size(); ++i) {
         if (!is_bilateral(mlcp, i))

@@ -41,6 +41,7 @@ public:
         : mlcp_(checked(mlcp)), settings_(settings), sets_(mlcp, settings.first),
           dense_(mlcp), answers_(mlcp_, dense_, settings.tolerance), z_(mlcp.size())
     {
+        require_share(settings.tolerance);
         if (mlcp.size() > 0)
             given_ = (dense_.q.cwiseAbs() +
                       dense_.A.cwiseAbs() * answers_.lambda_scaled().cwiseAbs())

@@ -31,6 +31,10 @@ struct PlainContacts {
     void require_fit(const Scene&, const Method&) const
     {
     }
+    template <class Scene, class Data>
+    void end_part(Scene&, const Data&) const
+    {
+    }
     template <class Scene, class Method, class Data>
     void end(Scene&, const StepSettings&, Method&, const Data&) const
     {
@@ -72,6 +76,7 @@ struct PlainSolver {
 /// - require_valid() throws where settings make no sense, and changes nothing.
 /// - begin() fills now.active (ascending), contacts, sources, x_found, length. It moves
 ///   no body. No active body: the step ends there, without end().
+/// - end_part() sees what each sub-step has found, and moves nothing.
 /// - end() may put bodies back to where they touched, and let them fall asleep.
 /// - wake() and wake_everybody() are for what sees more than the stage does; called
 ///   before begin(), or where its caller calls it again. is_asleep() then says no.
@@ -82,6 +87,7 @@ concept ContactsStage = requires(Stage stage, Scene& scene,
 {
     stage.require_valid();
     stage.begin(scene, settings, method, now);
+    stage.end_part(scene, now);
     stage.end(scene, settings, method, now);
     bool{stage.is_asleep(k)};
     stage.wake(k);

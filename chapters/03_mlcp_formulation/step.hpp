@@ -115,6 +115,8 @@ void step(Scene& scene, const StepSettings& settings, Method&& method,
         // λ, and u = u* + M⁻¹ Jᵀ λ (3.9)
         method.solver.solve(scene.bodies, now);
         method.correction.move(scene, settings, method.solver, now);  // x
+        // what it has borne may be too much (chapter 14)
+        method.contacts.end_part(scene, now);
     }
 
     method.start.remember(settings, now);

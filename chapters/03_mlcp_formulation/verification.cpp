@@ -3,7 +3,17 @@
 
 #include "chapters/03_mlcp_formulation/verification.hpp"
 
+#include "common/text.hpp"
+
 namespace rigid {
+
+void require_share(Real tolerance)
+{
+    if (!(tolerance < 0.01))
+        throw std::invalid_argument(
+            "the tolerance of an answer is " + shortest(tolerance) +
+            " of the numbers in its rows; it must be below 0.01");
+}
 
 Real row_unit(const Mlcp& mlcp, Index i, Real diagonal)
 {

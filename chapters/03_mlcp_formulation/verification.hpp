@@ -18,6 +18,10 @@
 
 namespace rigid {
 
+/// Throws std::invalid_argument unless τ is below 1/100: there (3.16d) lets in all of U_i, as much as drives the problem, and
+/// from 1 on λ = 0 would be an answer to any, for |w_i| ≤ S_i.
+void require_share(Real tolerance);
+
 /// How small a residual has to be.
 struct Acceptance {
     Real tolerance = 1e-10;  ///< τ, as a share of the numbers in the row

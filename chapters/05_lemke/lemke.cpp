@@ -14,6 +14,7 @@ void require_valid(const LemkeSettings& settings)
             shortest(settings.enough) + " and the pivot limit " +
             std::to_string(settings.pivot_limit) +
             "; the tolerance must be positive, the others not negative");
+    require_share(settings.tolerance);
 }
 
 bool without_far_bounds(const Mlcp& mlcp, Mlcp& near)

@@ -21,8 +21,7 @@ Real refresh(const VecX& x, const VecX& inverse_mass, Real rest, SolverRow<2>& r
     if (row.a == row.b) return row.Jb.dot(x.segment<2>(row.b)) - rest;
     Vec2 n = x.segment<2>(row.b) - x.segment<2>(row.a);
     const Real distance = n.norm();
-    if (distance > 0) n /= distance;
-    else n = {0, 1};  // two centres in one point have no direction
+    n = direction_of(n, distance, {0, 1});
     row.Ja = -n.transpose();
     row.Jb = n.transpose();
     row.Wa = -inverse_mass[row.a] * n;

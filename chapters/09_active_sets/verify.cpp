@@ -17,6 +17,7 @@ void require_valid(const ActiveSetSettings& settings)
             std::to_string(settings.limit) + ", patience " +
             std::to_string(settings.patience) +
             ": the tolerance must be positive, the others not negative");
+    require_share(settings.tolerance);
 }
 
 bool is_symmetric(const SparseMatrix& A, std::vector<int>& next)

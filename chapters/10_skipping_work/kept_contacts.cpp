@@ -36,8 +36,7 @@ void keep_contacts(const DiscScene& scene, const AwakeSet& set, BroadPhase& broa
             ++memory.reused;
         } else {
             const Real distance = d.norm();
-            memory.now.push_back({pair, d,
-                                  distance > 0 ? Vec2(d / distance) : Vec2(0, 1),
+            memory.now.push_back({pair, d, direction_of(d, distance, {0, 1}),
                                   distance - scene.radius[a] - scene.radius[b]});
         }
         memory.kept.push_back(keep);

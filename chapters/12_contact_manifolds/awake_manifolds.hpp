@@ -29,7 +29,7 @@ struct AwakeStage : Sleepers<Watch::Scene::dof> {
     static constexpr bool is_told = Watch::is_told;
     using Base = Sleepers<dof>;
     using Base::rest, Base::sleep, Base::length, Base::set, Base::rests,
-        Base::changed, Base::woken, Base::fell_asleep;
+        Base::u_before, Base::changed, Base::woken, Base::fell_asleep;
 
     Touching touching;
     //! [awake_stage]
@@ -175,7 +175,9 @@ private:
             set.wake(k);
             if (k >= known) continue;
             Rest& so_far = rests[static_cast<std::size_t>(k)];
-            if (so_far.time > 0) so_far = disturbed;  // a new one has not rested
+            // one that is new in an old place has no velocity before
+            if (u_before.template segment<dof>(dof * k).allFinite())
+                so_far = disturbed;
         }
         wake_of(touching.touching);
         if (!all_awake) wake_of(touching.resting);

@@ -135,7 +135,7 @@ inline Manifold collide(const Placed& a, const Placed& b,
         const Real distance = d.norm();
         if (!(distance < reach)) return Manifold{};
         // two centres in one point have no direction; any will part them
-        m.normal = distance > 0 ? Vec2(d / distance) : Vec2(0, 1);
+        m.normal = direction_of(d, distance, {0, 1});
     }
     // 4: the points
     measure_along(perpendicular(m.normal), ea, eb);

@@ -23,6 +23,7 @@ void require_valid(const FrictionSettings& settings)
             std::to_string(settings.proximal_steps) + ", idle ones " +
             std::to_string(settings.idle_steps) +
             ": the tolerance must be positive, the others not negative");
+    require_share(settings.tolerance);
 }
 
 void require_pushing(const Mlcp& mlcp, std::span<const FrictionBox> boxes)

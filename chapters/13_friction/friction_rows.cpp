@@ -47,8 +47,7 @@ Constraint<3> cloth_constraint(const RoughScene& scene, const StepData<3>& now,
         c.force *= scene.cloth.arm;
     } else {
         const Vec2 u = now.u_star.segment<2>(3 * b);
-        const Real speed = u.norm();
-        const Vec2 d = speed > 0 ? Vec2(u / speed) : Vec2(1, 0);
+        const Vec2 d = direction_of(u, u.norm(), {1, 0});
         c.Jb = {d.x(), d.y(), 0};
     }
     return c;

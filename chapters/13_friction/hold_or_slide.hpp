@@ -46,11 +46,13 @@ struct HoldOrSlide : Solver {
     template <int Dof>
     void solve(Bodies<Dof>& bodies, StepData<Dof>& now)
     {
-        if (now.substep == 0) list_sliders(bodies, now);
+        // RATTLE solves twice in a sub-step
+        const bool begins = now.substep == 0 && !now.second_half;
+        if (begins) list_sliders(bodies, now);
         for (Slider& slider : sliders)
             slider.before = now.rows[slider.row].velocity(bodies.u);
         // one that is solved again counts once
-        const int failed = now.substep == 0 ? 0 : this->unsolved;
+        const int failed = begins ? 0 : this->unsolved;
         set_coefficients(now);
         Solver::solve(bodies, now);
         // Each round has one slider less that slides, so this ends.

@@ -3,6 +3,8 @@
 
 #include "chapters/14_joints/joint.hpp"
 
+#include <initializer_list>
+
 namespace rigid {
 
 void require_valid(const RigidJoint& joint, std::size_t number,
@@ -66,6 +68,25 @@ void require_valid(const RigidJoint& joint, std::size_t number,
     const bool poses = joint.kind == JointKind::mouse ||
                        joint.kind == JointKind::friction ||
                        joint.kind == JointKind::motor;
+    const Drive &motor = joint.motor, &spring = joint.spring;
+    const auto refuse_idle = [&](std::initializer_list<Real> idle,
+                                 const std::string& what) {
+        for (const Real value : idle)
+            if (value != 0)
+                refuse("has a setting of " + shortest(value) +
+                       " that does nothing; it has " + what);
+    };
+    const std::string pull =
+        "the stiffness, the damping and the force of its spring";
+    if (joint.kind == JointKind::mouse)
+        refuse_idle({motor.force, motor.speed, joint.torque, spring.target}, pull);
+    if (joint.kind == JointKind::motor)
+        refuse_idle({motor.force, motor.speed, spring.target},
+                    pull + ", and a torque");
+    if (joint.kind == JointKind::friction)
+        refuse_idle({motor.speed, spring.force, spring.stiffness, spring.damping,
+                     spring.target},
+                    "the force of its motor, and a torque");
     if (!has_coordinate(joint.kind) &&
         (joint.lower > -infinity || joint.upper < infinity || (driven && !poses)))
         refuse("has limits, a motor or a spring; it has no coordinate that they "

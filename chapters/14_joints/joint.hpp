@@ -68,7 +68,7 @@ struct RigidJoint {
     Real lower = -infinity, upper = infinity;  ///< limits of q; equal = locked
     Drive motor, spring;
     Real torque = 0;  ///< of friction: at most; of motor the same, 0 = any [N m]
-    /// of the mean over the last sub-step of a step: an impulse P counts as P/h
+    /// of the mean over a sub-step, in any of a step: an impulse P counts as P/h
     /// [N, N m]
     Real breaking_force = infinity, breaking_torque = infinity;
     bool collide_connected = false;  ///< may its two bodies touch?

@@ -61,6 +61,7 @@ struct WithJoints : Contacts {
                Method& method, StepData<3>& now)
     {
         wake_the_broken(scene);
+        broken = 0;
         do {
             Contacts::begin(scene, settings, method, now);
             limits_skipped = 0;
@@ -78,12 +79,11 @@ struct WithJoints : Contacts {
             });
         } while (wake_the_joined(scene, now));
     }
-    template <class Method>
-    void end(JointedScene& scene, const StepSettings& settings, Method& method,
-             const StepData<3>& now)
+    /// (14.5) of each sub-step: what bears too much in any of them breaks, and lets go
+    /// when the step ends.
+    void end_part(JointedScene& scene, const StepData<3>& now)
     {
-        Contacts::end(scene, settings, method, now);
-        broken = 0;
+        Contacts::end_part(scene, now);
         for (std::size_t i = 0; i < scene.placed.size(); ++i) {
             PlacedJoint& one = scene.placed[i];
             const RigidJoint& joint = one.joint;
@@ -94,8 +94,18 @@ struct WithJoints : Contacts {
             one.broken = bears.force.norm() > joint.breaking_force ||
                          std::abs(bears.torque) > joint.breaking_torque;
             broken += one.broken;
-            if (one.broken) wake_ends(joint);  // they may just have fallen asleep
         }
+    }
+    template <class Method>
+    void end(JointedScene& scene, const StepSettings& settings, Method& method,
+             const StepData<3>& now)
+    {
+        Contacts::end(scene, settings, method, now);
+        if (broken == 0) return;
+        // what they held may just have fallen asleep
+        for (std::size_t i = 0; i < scene.placed.size(); ++i)
+            if (scene.placed[i].broken && was_broken[i] == 0)
+                wake_ends(scene.placed[i].joint);
     }
 
     /// A rope that was slack may pull at a sleeper: true if one had to be woken.

@@ -1,5 +1,5 @@
 /// \file joint_places.hpp
-/// How joints get into the scene of a world and out of it again, and how another number of rows takes the place of theirs.
+/// How joints get into the scene of a world and out of it again, and how other rows take the place of theirs.
 ///
 /// Numbers of joints and of their rows are names too, of impulses. So the place of a joint that is taken out stays, as one that
 /// is broken, with its rows, until a joint with as many takes it. A joint that gets a limit, a motor or a spring, or loses one,
@@ -52,7 +52,7 @@ inline JointId append_place(EngineState& state, int count)
 }
 
 //! [change_rows]
-/// A joint gets another number of rows: it changes them with a free place, and where
+/// A joint gets other rows: it changes them with a free place, and where
 /// there is none that fits, new rows at the end make one. Rows of others stay where
 /// they are. Rows that stay what they are keep their impulses.
 inline void change_rows(EngineState& state, std::size_t number,
@@ -117,7 +117,10 @@ inline void replace_joint(EngineState& state, std::size_t number,
                                     std::string(to_string(joint.kind)) +
                                     " joint; another kind is another joint");
     const std::vector<PointJoint> rows = rows_of(joint);
-    if (static_cast<int>(rows.size()) != state.scene.placed[number].count)
+    const std::vector<PointJoint> before =
+        rows_of(state.scene.placed[number].joint);
+    if (!std::equal(rows.begin(), rows.end(), before.begin(), before.end(),
+                    is_same_row))
         change_rows(state, number, joint, rows);
     PlacedJoint& placed = state.scene.placed[number];
     placed.joint = joint;

@@ -46,9 +46,9 @@ inline Reaction resting_reaction(const EngineState& state, std::size_t number,
             key.second >= placed.first + placed.count)
             return;
         const PointJoint& row = scene.joints[static_cast<std::size_t>(key.second)];
-        sum += force * (key.part == 0 ? joint_constraint(x, row)
-                                      : across_line(x, row, key.part))
-                           .Jb.transpose();
+        const Constraint<3> c = key.part == 0 ? joint_constraint(x, row)
+                                              : across_line(x, row, key.part);
+        if (c.b == placed.joint.b) sum += force * c.Jb.transpose();
     });
     const Vec2 arm = point_of(x, placed.joint.b, placed.joint.at_b) -
                      scene.bodies.position(placed.joint.b).head<2>();

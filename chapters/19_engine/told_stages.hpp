@@ -21,6 +21,11 @@ struct ToldStages {
             all.tell(Stage::contacts);
             all.method.contacts.begin(scene, settings, all.method, now);
         }
+        template <class Scene>
+        void end_part(Scene& scene, const StepData<3>& now)
+        {
+            all.method.contacts.end_part(scene, now);
+        }
         template <class Scene, class Method>
         void end(Scene& scene, const StepSettings& settings, Method&,
                  StepData<3>& now)

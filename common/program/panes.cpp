@@ -41,7 +41,7 @@ void Hand::read(const std::vector<Projection>& panes, const Vec2& mouse, bool do
     was_down_ = down;
     if (!down) pulled_.reset();
     input_.present = input_.pressed = false;
-    if (!pulled_ && elsewhere) return;
+    if ((!pulled_ && elsewhere) || !mouse.allFinite()) return;
     for (std::size_t i = 0; i < panes.size(); ++i) {
         if (pulled_ ? *pulled_ != i : !panes[i].area.contains(mouse)) continue;
         if (clicked) pulled_ = i;

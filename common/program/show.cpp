@@ -1,5 +1,7 @@
 #include "common/program/show.hpp"
 
+#include "common/text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -7,6 +9,21 @@
 #include <utility>
 
 namespace rigid {
+namespace {
+
+void require_number(const std::string& name, Real value)
+{
+    if (std::isnan(value)) throw std::invalid_argument(name + " is to be nan; it must be a number");
+}
+
+void require_pace(const std::string& what, Real value)
+{
+    if (!(value >= 0) || !std::isfinite(value))
+        throw std::invalid_argument("the " + what + " is " + shortest(value) +
+                                    "; it must be zero or positive, and finite");
+}
+
+}  // namespace
 
 void History::add(const Sample& sample)
 {
@@ -25,6 +42,8 @@ Show::Show(const Program& program, const Options& options, Listener listener)
       listener_(std::move(listener)), pointer_(options.settings.seed, options.scene->view),
       scripted_(options.steps.has_value())
 {
+    require_number("the time step", settings_.h);
+    for (const Tunable& tunable : scene_->tunables) require_number(tunable.name, settings_[tunable.name]);
     std::vector<std::string> first = options.methods;
     if (!options.methods_given && !scene_->side_by_side.empty()) first = scene_->side_by_side;
     if (first.size() > most_panes)
@@ -104,6 +123,7 @@ void Show::choose_method(std::size_t index, bool on)
 
 void Show::set_tunable(const Tunable& tunable, Real value)
 {
+    require_number(tunable.name, value);
     value = std::clamp(tunable.whole() ? std::round(value) : value, tunable.low, tunable.high);
     if (settings_.tunables[tunable.name] == value) return;
     settings_.tunables[tunable.name] = value;
@@ -123,6 +143,7 @@ void Show::change_by_arrow(int direction)
 
 void Show::set_h(Real h)
 {
+    require_number("the time step", h);
     settings_.h = std::clamp(h, scene_->h_low, scene_->h_high);
     if (playback_) playback_->set_h(settings_.h);
     else start();
@@ -141,6 +162,8 @@ bool Show::is_over() const
 
 void Show::advance(Real seconds, const Input& hand, long stop_every)
 {
+    require_pace("speed of the show", speed);
+    require_pace("time since the last frame", seconds);
     if (paused || is_over()) return;
     // At most so many steps and so long a time of the processor [s] in one frame: a window must stay
     // alive. What is left over then is dropped, and the scene runs slower than set.

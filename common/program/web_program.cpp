@@ -9,6 +9,7 @@
 #include "common/program/web_show.hpp"
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,15 @@ void choose(const std::string& name)
     options.scene = &scene_called(name);
     options.settings = default_settings(*options.scene);
     options.methods = {options.settings.method};
+}
+
+void set(Options& options, const std::string& name, Real value)
+{
+    Settings& settings = options.settings;
+    if (name == "h") settings.h = value;
+    else if (name == "seed") settings.seed = seed_of(value);
+    else if (settings.tunables.contains(name)) settings.tunables[name] = value;
+    else throw std::invalid_argument("scene " + options.scene->name + " has no tunable \"" + name + '"');
 }
 
 }  // namespace
@@ -94,16 +104,7 @@ RIGID_PAGE(web_with_method) int web_with_method()
 }
 RIGID_PAGE(web_with_setting) int web_with_setting(double value)
 {
-    Options& options = page().options;
-    const std::string& name = page().incoming;
-    if (name == "h") options.settings.h = value;
-    else if (name == "seed") options.settings.seed = static_cast<std::uint64_t>(value);
-    else if (options.settings.tunables.contains(name)) options.settings.tunables[name] = value;
-    else {
-        last_said().sentence = "scene " + options.scene->name + " has no tunable \"" + name + '"';
-        return 1;
-    }
-    return 0;
+    return attempt([&] { set(page().options, page().incoming, value); });
 }
 RIGID_PAGE(web_open) int web_open()
 {
@@ -137,7 +138,7 @@ RIGID_PAGE(web_arrow) int web_arrow(int direction)
 }
 RIGID_PAGE(web_seed) int web_seed(double seed)
 {
-    return attempt([&] { page().show->show().set_seed(static_cast<std::uint64_t>(seed)); });
+    return attempt([&] { page().show->show().set_seed(seed_of(seed)); });
 }
 RIGID_PAGE(web_restart) int web_restart()
 {

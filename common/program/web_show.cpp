@@ -3,6 +3,8 @@
 #include "common/text.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 namespace rigid {
 namespace {
@@ -111,6 +113,14 @@ void WebShow::advance(Real seconds)
 {
     // A page that was hidden has no backlog.
     show_.advance(std::clamp(seconds, 0.0, 0.1), hand_.input(), 0);
+}
+
+std::uint64_t seed_of(Real number)
+{
+    if (!(number >= 0 && number <= 0x1p53) || number != std::floor(number))
+        throw std::invalid_argument("the seed is " + shortest(number) +
+                                    "; it must be a whole number from 0 to 2^53");
+    return static_cast<std::uint64_t>(number);
 }
 
 std::vector<Real> rows_of_run(const Demo& scene, const Settings& settings,

@@ -42,6 +42,10 @@ private:
     DrawList list_;
 };
 
+/// The seed that a page gives as a number. Throws std::invalid_argument unless it is whole and from 0 to 2⁵³, as far as
+/// doubles know each number.
+std::uint64_t seed_of(Real number);
+
 /// What a run without a window measures (--headless --csv): for each step and method the step, the time and the columns.
 std::vector<Real> rows_of_run(const Demo& scene, const Settings& settings,
                               const std::vector<std::string>& methods, long steps);

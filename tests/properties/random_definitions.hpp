@@ -205,7 +205,9 @@ protected:
         if (poses || kind == JointKind::wheel || (can && one_of(3)))
             joint.spring = {0, one_of(2) ? stiff : 0, stiff, one_of(2) ? 0 : power(-3, 4),
                             random_.uniform(-1, 1)};
-        if (poses || kind == JointKind::friction) joint.torque = stiff, joint.motor.force = stiff;
+        if (poses) joint.spring.target = 0;
+        if (kind == JointKind::friction || kind == JointKind::motor) joint.torque = stiff;
+        if (kind == JointKind::friction) joint.motor.force = stiff;
         if (one_of(8)) joint.breaking_force = power(-2, 5);
         if (one_of(8)) joint.breaking_torque = power(-2, 5);
         joint.collide_connected = one_of(3);
