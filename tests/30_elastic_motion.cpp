@@ -751,7 +751,7 @@ TEST_CASE("all steps of jelly on stairs and of a soft ball are solved", "[idea]"
                     most = std::max(most, contacts.rows.size());
                 }
                 CHECK(most > 10);  // it has come down
-                // 517 at the most; the projected curvature alone takes 983 (section 30.C)
+                // 517 at the most; the projected curvature alone takes up to 993
                 CHECK(iterations < 600);
             }
 }

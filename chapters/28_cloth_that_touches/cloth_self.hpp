@@ -102,7 +102,7 @@ public:
     /// may, or its ways are no numbers, and all particles went with their mean
     bool lost = false;
     /// in a sub-step, for each particle, edge and triangle; a cloth that falls into
-    /// folds lists up to 16 and looks at up to 7,000, with stops
+    /// folds lists up to 20 and looks at some thousands, with stops
     static constexpr std::int64_t most_listed = 100, most_looks = 10000;
     std::size_t pairs() const { return pairs_.size(); }
 

@@ -35,7 +35,7 @@ void CompliantRow<Dim>::add_push(Real scale, const std::vector<char>& fixed,
 }
 
 template <int Dim>
-CompliantRow<Dim>::Held
+typename CompliantRow<Dim>::Held
 CompliantRow<Dim>::held_by(const ElasticBody<Dim>& body) const
 {
     if (!(rigid.Wa.array() == 0).all() || !(rigid.Wb.array() == 0).all())
