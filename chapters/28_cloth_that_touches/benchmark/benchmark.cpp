@@ -27,7 +27,7 @@ namespace {
 TouchingCloth on_ball() { return sheet_on_ball(16, 1.2, 500, 0.3); }
 
 /// Explicit steps of 4 µs: half as long ones are 0.1 mm from them, the midpoint's of
-/// 10 µs 1 mm. Where a contact begins and ends, order two is none.
+/// 10 µs 0.7 mm. Where a contact begins and ends, order two is none.
 const TouchingCloth& exact()
 {
     static const TouchingCloth known = [] {
