@@ -575,9 +575,12 @@ TEST_CASE("a pyramid that rests is swept to the end and creeps neither asleep no
 {
     struct Case {
         bool sleep;
-        Real off;  ///< its boxes from where they should be [m]
+        Real off;   ///< its boxes from where they should be [m]
+        Real most;  ///< way of a box in four seconds [m]
     };
-    for (const auto [sleep, off] : {Case{false, 1e-9}, Case{true, 1e-9}, Case{false, 0}, Case{true, 0}}) {
+    // 4e-8 m, and 1e-16 where a guess is the answer; swept to 1e-4 ℓ/s in each step it would be 4e-5
+    for (const auto [sleep, off, most] :
+         {Case{false, 1e-9, 1e-6}, Case{true, 1e-9, 1e-6}, Case{false, 0, 1e-12}, Case{true, 0, 1e-12}}) {
         JointedScene scene;
         static_cast<RigidScene&>(scene) = box_pyramid(8);
         cover(scene, {0.5, 0, 0, 0});
@@ -592,9 +595,10 @@ TEST_CASE("a pyramid that rests is swept to the end and creeps neither asleep no
             if (run.awake() > 0) sweeps += run.method.solver.most_sweeps;
         }
         INFO(sleep << " " << off << " " << entries << " " << sweeps);
-        // in four seconds 4e-9 to 4e-8 m; swept to 1e-4 ℓ/s in each step it would be 4e-5
-        CHECK((run.scene.bodies.x - start).cwiseAbs().maxCoeff() < 1e-7);
-        CHECK(entries == 0);  // exact solves until it sleeps would look at 10^7
+        CHECK((run.scene.bodies.x - start).cwiseAbs().maxCoeff() < most);
+        // as much as the sweeps, once; exact solves until it sleeps would look at 10^7
+        CHECK(entries > 0);
+        CHECK(entries < 200'000);
         CHECK(sweeps > 100);
         CHECK(sweeps < 1500);
         CHECK((run.awake() == 0) == sleep);

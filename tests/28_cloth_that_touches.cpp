@@ -160,14 +160,21 @@ TEST_CASE("points are as far from each shape as its surface is", "[idea]")
     is(gap_to(box, {0, -1.9, 0}), -0.6, {0, -1, 0});
 }
 
+/// A solid that flies and turns into a free sheet, without gravity.
+static TouchingCloth thrown_into_a_sheet(int columns, bool box)
+{
+    TouchingCloth cloth = catching_sheet(columns, 500, 2, box, false);
+    cloth.gravity.setZero();
+    cloth.solids.u << 0.3, -4, 0.2, 1, 2, -1;
+    return cloth;
+}
+
 TEST_CASE("a sheet and the solid that it catches keep their momentum", "[idea]")
 {
     for (const bool box : {false, true})
         for (const ClothMethod method : {ClothMethod::xpbd, ClothMethod::threads, ClothMethod::midpoint}) {
             INFO(to_string(method));
-            TouchingCloth cloth = catching_sheet(12, 500, 2, box, false);
-            cloth.gravity.setZero();
-            cloth.solids.u << 0.3, -4, 0.2, 1, 2, -1;
+            TouchingCloth cloth = thrown_into_a_sheet(12, box);
             const Vec3 before = momentum(cloth);
             TouchingMemory memory;
             ClothSettings how;
@@ -188,9 +195,7 @@ TEST_CASE("a sheet with a limit and the solid that it catches keep their momentu
 {
     for (const ClothMethod method : {ClothMethod::xpbd, ClothMethod::threads, ClothMethod::midpoint}) {
         INFO(to_string(method));
-        TouchingCloth cloth = catching_sheet(8, 500, 2, false, false);
-        cloth.gravity.setZero();
-        cloth.solids.u << 0.3, -4, 0.2, 1, 2, -1;
+        TouchingCloth cloth = thrown_into_a_sheet(8, false);
         const Vec3 before = momentum(cloth);
         TouchingMemory memory;
         ClothSettings how;

@@ -499,9 +499,9 @@ TEST_CASE("random numbers are the same on every machine")
     CHECK(std::abs(square - 1) < 0.016);
 
     Random untouched(42), refused(42);
-    for (const Index count : {Index{0}, Index{-3}})
-        CHECK_THROWS_WITH(refused.index(count), "a random number is to be one of " + std::to_string(count) +
-                                                    "; there must be 1 or more");
+    for (const Index none : {Index{0}, Index{-3}})
+        CHECK_THROWS_WITH(refused.index(none), "a random number is to be one of " + std::to_string(none) +
+                                                   "; there must be 1 or more");
     CHECK(refused.index(1000) == untouched.index(1000));  // a refusal draws nothing
 }
 

@@ -34,6 +34,9 @@ inline void require_valid(const ImpulseSettings& sweeps)
         throw std::invalid_argument("the tolerance of the sweeps is " +
                                     shortest(sweeps.tolerance) +
                                     "; it must be zero or positive");
+    if (std::isinf(sweeps.tolerance))
+        throw std::invalid_argument("the tolerance of the sweeps is inf; "
+                                    "any answer would do");
     if (sweeps.max_sweeps < 0)
         throw std::invalid_argument("the number of sweeps is " +
                                     std::to_string(sweeps.max_sweeps) +

@@ -203,8 +203,12 @@ private:
             return;
         const Real r = natural_residual(now, all.islands.rows_of(i), bodies.u);
         const WideIsland* lanes = wide.find(i);
-        if (r > settled(tolerance * now.length) && !(lanes && lanes->get_on(r)) &&
-            is_slow(note.length * r))  // (18.11)
+        if (r <= settled(tolerance * now.length)) {
+            // after many sweeps guesses, which begin there and cost no more
+            if (lanes && lanes->lay && lanes->spent() >= note.to_stand / 10)
+                solve_after_all(i, 0, lanes->spent(), bodies, now);
+        } else if (!(lanes && lanes->get_on(r)) &&
+                   is_slow(note.length * r))  // (18.11)
             solve_after_all(i, 0, note.to_settle, bodies, now);
     }
 

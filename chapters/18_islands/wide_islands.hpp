@@ -24,6 +24,8 @@ struct WideIsland {
     int standing = 0;  ///< sweeps, where it stands
     HeapInLanes heap;
     bool stepped = false;  ///< by small steps, in this sub-step
+    /// nothing moved when the sub-step began: it has been put down, or solved to the end
+    bool lay = false;
 
     void take(const Islands& islands, int island, const IslandNote& note,
               const Bodies<3>& bodies, const StepData<3>& now, PartNumbers& numbers)
@@ -34,9 +36,10 @@ struct WideIsland {
         bundle_rows(part.now.rows, part.local.count(), solver.bundles);
         solver.colour(part.local, part.now);
         part.now.same_rows = has_rows_ = true;
+        sweep_price_ = price_of_momentum(static_cast<std::int64_t>(rows.size()));
         // 10⁶ sweeps are more than any island that is large can pay for
-        standing = static_cast<int>(std::min<std::int64_t>(
-            note.to_stand / price_of_momentum(std::ssize(rows)), 1'000'000));
+        standing = static_cast<int>(
+            std::min<std::int64_t>(note.to_stand / sweep_price_, 1'000'000));
     }
 
     /// \param sweeps  of islands that move
@@ -47,6 +50,8 @@ struct WideIsland {
         stepped = has_rows_ = false;
         part.gather(bodies, now);
         const StepData<3>& here = part.now;
+        lay = are_slow(here.active, part.local.u, rounding * here.length,
+                       here.length);
         const int at_rest = std::max(standing, note.to_rest);
         const bool stays = at_rest > note.sweeps && stand(here.active, part.local.u,
                                                           here.u_star, here.length);
@@ -67,6 +72,12 @@ struct WideIsland {
         part.scatter(bodies, now);
     }
     //! [wide]
+
+    /// What the sweeps of the last solve cost, where it stands [entries]
+    std::int64_t spent() const
+    {
+        return part.now.solution.iterations * sweep_price_;
+    }
 
     /// Whether its sweeps go on in the next step: they halve what they begin with.
     /// \param r  the residual that they have left [m/s]
@@ -115,6 +126,7 @@ private:
     }
 
     static constexpr Real rounding = 1e-10;  ///< of thousands of sweeps [ℓ/s]
+    std::int64_t sweep_price_ = 0;           ///< of what stands [entries]
     Real began_ = 0;         ///< residual, of what rests, before its sweeps [m/s]
     bool has_rows_ = false;  ///< those of this sub-step are in `part`
 };

@@ -48,9 +48,8 @@ SpinForm spin_form(const Vec3& inertia, const Vec3& omega)
     s.swapped = third < first;
     s.I1 = s.swapped ? I3 : I1, s.I2 = I2, s.I3 = s.swapped ? I1 : I3;
     s.upper = s.swapped ? -above : below, s.lower = s.swapped ? -below : above;
-    const Real middle = std::abs(third - first),
-               rounding = 4 * std::numeric_limits<Real>::epsilon(),  // four in each
-        whole = (s.I3 - s.I2) * s.lower;
+    const Real middle = std::abs(third - first), whole = (s.I3 - s.I2) * s.lower,
+               rounding = 4 * std::numeric_limits<Real>::epsilon();  // four in each
     s.k_rest = middle <= rounding * (third + first)
                    ? 0
                    : std::sqrt((I3 - I1) * middle / whole);

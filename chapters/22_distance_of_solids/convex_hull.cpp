@@ -147,8 +147,7 @@ Hull solid_hull(const std::vector<Vec3>& given)
     }
     throw std::invalid_argument(
         thin ? "the points of a hull lie within 1e-5 of their spread of a plane, "
-               "and "
-               "do not tell its sides apart"
+               "and do not tell its sides apart"
              : "the points of a hull make no faces that close");
 }
 

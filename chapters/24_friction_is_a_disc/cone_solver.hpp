@@ -37,9 +37,6 @@ struct ConeSolver : PlainSolver {
     void require_valid() const
     {
         rigid::require_valid(sweeps), patience.require_valid();
-        if (std::isinf(sweeps.tolerance))
-            throw std::invalid_argument("the tolerance of the sweeps is inf; "
-                                        "any answer would do");
         newton.settings.require_valid();
         if (exact_rows < 0)
             throw std::invalid_argument(

@@ -111,9 +111,8 @@ public:
     /// \param enough  below it there is nothing to judge by
     void judge(Real before, Real now, Real enough)
     {
-        if (now <= enough) return void(renew_ = false);
-        renew_ = !(now <= settings.stale * before);
-        is_slow_ = is_slow_ || (is_fresh_ && now > 0.1 * before);
+        renew_ = !(now <= settings.stale * before || now <= enough);
+        is_slow_ = is_slow_ || (is_fresh_ && now > std::max(0.1 * before, enough));
     }
     /// The residual of r: with the impulses of contacts it is less.
     Real residual_of(const ElasticBody<Dim>& body, const VecX& r_left) const;
