@@ -925,6 +925,33 @@ TEST_CASE("the rows that are named contradict each other by themselves and a row
     }
 }
 
+TEST_CASE("what is left of contradicting rows proves it when divided by the diagonal", "[idea]")
+{
+    // Three rows on one body along one line, as long as 1, 2 and -3, and a fourth across it, which is met.
+    std::vector<Row<2>> rows;
+    VecX inverse_mass(2), u(2), w(4);
+    inverse_mass << 0.5, 0.5;
+    u << 1, 2;
+    MatX A(4, 4);
+    const Real sizes[] = {1, 2, -3, 5}, biases[] = {0.3, -0.4, 0.2, 7};
+    for (int i = 0; i < 4; ++i) {
+        Constraint<2> c;
+        c.Jb = sizes[i] * (i < 3 ? RowVec<2>(0.6, 0.8) : RowVec<2>(-0.8, 0.6));
+        rows.push_back(bilateral(c, inverse_mass, biases[i]));
+    }
+    for (Index i = 0; i < 4; ++i)
+        for (Index j = 0; j < 4; ++j)
+            A(i, j) = coupling(rows[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(j)]);
+    const RowsAnswer answer = solve_rows<2>(rows, u);
+    CHECK(answer.verdict == Verdict::conflicting);
+    CHECK(answer.at_odds == std::vector<Index>{0, 1, 2});
+    const VecX y = answer.w.cwiseQuotient(VecX(A.diagonal()));
+    CHECK((A * y).cwiseAbs().maxCoeff() < 1e-13);
+    CHECK((A * answer.w).cwiseAbs().maxCoeff() > 0.1);  // w itself is no such combination
+    for (Index i = 0; i < 4; ++i) w[i] = rows[static_cast<std::size_t>(i)].velocity(u);
+    CHECK(y.dot(w) == Approx(answer.w.cwiseAbs2().cwiseQuotient(VecX(A.diagonal())).sum()).epsilon(1e-12));
+}
+
 TEST_CASE("a contradiction is one from a billionth of the speeds on at any speed and rounding is none",
           "[house]")
 {
@@ -1138,6 +1165,10 @@ TEST_CASE("rows that make no sense are refused with a sentence", "[house]")
     bad = good;
     bad.Ja[0] = std::nan("");
     CHECK(contains(message(bad, bodies.u), "row 1 has an entry of J that is not finite"));
+    bad = good;
+    for (RowVec<2>* block : {&bad.Ja, &bad.Jb}) *block *= 1e160;
+    for (Vec2* block : {&bad.Wa, &bad.Wb}) *block *= 1e160;
+    CHECK(contains(message(bad, bodies.u), "row 1 has J M⁻¹ Jᵀ = inf 1/kg; it must be finite"));
     bad = good;
     bad.bias = infinity;
     CHECK(contains(message(bad, bodies.u), "row 1 has the bias inf m/s; it must be finite"));

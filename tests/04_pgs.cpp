@@ -1188,6 +1188,11 @@ TEST_CASE("bad input of PGS is refused by a sentence", "[house]")
     {
         settings.tolerance = std::nan("");
         CHECK(said() == "tolerance nan m/s and limit of 10000 sweeps: neither may be negative");
+        settings.tolerance = infinity;
+        CHECK(said() == "the tolerance of the sweeps is inf m/s; any answer would do");
+        mlcp.lo.setConstant(-infinity);
+        CHECK(sentence_of([&] { conjugate_gradients(mlcp, infinity, 10); }) ==
+              "the tolerance of conjugate gradients is inf m/s; any answer would do");
     }
     SECTION("start")
     {

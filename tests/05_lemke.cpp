@@ -1022,6 +1022,12 @@ TEST_CASE("a problem that makes no sense is refused with a sentence", "[house]")
             "the tolerance is 0, enough 0 and the pivot limit 0; the tolerance must be positive, the others "
             "not negative");
     }
+    SECTION("a speed that is nothing without a limit")
+    {
+        settings.enough = infinity;
+        CHECK(sentence_of([&] { lemke(problem, settings); }) ==
+              "the residual that is nothing is inf m/s; any answer would do");
+    }
     SECTION("a stack without boxes")
     {
         BoxStack stack;

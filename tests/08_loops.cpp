@@ -110,6 +110,16 @@ int trusses_that_gain(int count, std::uint64_t seed, Real& most)
     return gained;
 }
 
+TEST_CASE("a matrix of huge numbers has its own largest factor and one of no numbers has none", "[house]")
+{
+    const MatX turn{{0.6, -0.8}, {0.8, 0.6}};
+    for (const Real size : {1e-200, 1.0, 1e200})
+        CHECK(spectral_radius(MatX(size * turn)) == Approx(size).epsilon(1e-12));
+    CHECK(spectral_radius(MatX::Zero(2, 2).eval()) == 0);
+    CHECK(std::isnan(spectral_radius(MatX(std::nan("") * turn))));
+    CHECK(std::isnan(memory_rate(std::nan("") * turn)));
+}
+
 TEST_CASE("a remembered start settles for complex modes exactly where (8.14) says", "[idea]")
 {
     Random random(87);

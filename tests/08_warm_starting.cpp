@@ -188,6 +188,24 @@ TEST_CASE("a row that goes is forgotten or outlives its absence by as many steps
     }
 }
 
+TEST_CASE("a row that comes back outlives its next absence by as many steps as its first", "[idea]")
+{
+    const std::vector<ImpulseKey> both = keys_of({{0, 1, 0}, {1, 2, 0}}), one = keys_of({{0, 1, 0}});
+    for (const int keep : {1, 2, 3})
+        for (int first = 0; first <= keep; ++first)
+            for (int absent = 1; absent <= 5; ++absent) {
+                ImpulseCache cache;
+                cache.keep = keep;
+                store(cache, both, numbers({7, 8}), 0.01);
+                for (int k = 0; k < first; ++k) store(cache, one, numbers({7}), 0.01);
+                store(cache, both, numbers({7, 9}), 0.01);
+                for (int k = 0; k < absent; ++k) store(cache, one, numbers({7}), 0.01);
+                VecX lambda;
+                load(cache, both, 0.01, lambda);
+                CHECK(lambda == numbers({7, absent <= keep ? 9.0 : 0.0}));
+            }
+}
+
 TEST_CASE("what is remembered of an absent row is scaled with each step's h", "[idea]")
 {
     ImpulseCache cache;

@@ -1165,6 +1165,30 @@ TEST_CASE("a problem that makes no sense is refused with a sentence", "[house]")
     }
 }
 
+TEST_CASE("an A with room between its entries is solved as the same A without", "[house]")
+{
+    const Index n = 60;
+    Mlcp roomy;
+    roomy.A.resize(n, n);
+    roomy.A.reserve(Eigen::VectorXi::Constant(n, 6));
+    for (Index k = 0; k < n; ++k)
+        for (const Index j : {k - 1, k, k + 1})
+            if (j >= 0 && j < n) roomy.A.insert(k, j) = j == k ? 2.5 : -1;
+    roomy.q = VecX::Constant(n, -1);
+    roomy.lo = VecX::Zero(n);
+    roomy.hi = VecX::Constant(n, infinity);
+    Mlcp close = roomy;
+    close.A.makeCompressed();
+    REQUIRE(!roomy.A.isCompressed());
+    CHECK(dantzig(roomy).lambda == dantzig(close).lambda);
+    ActiveSetMemory memory;
+    Solution solution;
+    active_sets(roomy, {}, memory, solution);
+    CHECK(memory.sparse);
+    CHECK(memory.problem.mlcp == &roomy);
+    CHECK(solution.lambda == active_sets(close).lambda);
+}
+
 TEST_CASE("numbers too large for doubles end with a true status", "[idea]")
 {
     for (const Mlcp& problem : {plain_lcp(matrix2(1e300, 1e300, 1e300, 1e300), vector({-1e300, -1e308})),
@@ -1209,6 +1233,41 @@ TEST_CASE("a chain whose rows are exact stays straight while h is below (9.22) a
     // by, (1.17) with h omega = 2.03, is a factor of e^100; below the border it is bounded by (1.11).
     CHECK(strays(0.98) < 1e-4);
     CHECK(strays(1.02) > 1e-2);
+}
+
+TEST_CASE("forty-one links hang on at a sixtieth of a second and forty-two tear as the zeros in (9.23a) say",
+          "[idea]")
+{
+    // Beyond the largest zero of L_N, and nowhere else, the signs of L_0 … L_N alternate.
+    const Real x = 4 * 0.1 * 60 * 60 / 9.81;  // 4 L / (g h²)
+    Index most = 0;
+    for (Real before = 0, here = 1, j = 1;; ++j) {  // y_{j-1}, y_j
+        const Real next = ((2 * j - 1 - x) * here - (j - 1) * before) / j;
+        if (next * here >= 0) break;
+        before = here, here = next;
+        ++most;
+    }
+    CHECK(most == 41);
+
+    const auto longest = [](Index N, Real beside) {  // in ten seconds, a nanometre from the line [m]
+        DiscScene scene = hanging_chain(N);
+        scene.linked = PairSet::all();
+        for (Index k = 1; k <= N; ++k)
+            scene.bodies.position(k) = scene.bodies.position(0) +
+                                       0.1 * static_cast<Real>(k) * Vec2(std::sin(beside), -std::cos(beside));
+        scene = perturbed(scene, 1);
+        auto method = by_matrix(FindActiveSets{});
+        StepData<2> now;
+        Real worst = 0;
+        for (int n = 0; n < 600; ++n) {
+            step(scene, StepSettings{.substeps = 1}, method, now);
+            worst = std::max(worst, largest_link_error(scene));
+        }
+        return worst;
+    };
+    CHECK(longest(41, 0) < 1e-8);
+    CHECK(longest(42, 0) > 0.05);
+    CHECK(longest(41, pi / 9) > 0.05);  // 20°
 }
 
 TEST_CASE("a chain that hangs straight to the last bit hides the step that a nanometre tears", "[idea]")

@@ -910,6 +910,31 @@ TEST_CASE("a small exact island that is called solved has the residual that was 
     CHECK(solved > 3500);
 }
 
+TEST_CASE("a row that nothing moves leaves numbers in an island of two", "[house]")
+{
+    // A motor that turns a body whose inertia is infinite, and the floor under that body.
+    for (const bool first : {true, false}) {
+        Row<3> turn, floor;
+        turn.Jb << 0, 0, 1;
+        turn.bias = -1;
+        turn.lo = -1, turn.hi = 1;
+        floor.Jb << 0, 1, 0;
+        floor.Wb << 0, 1, 0;
+        const std::vector<Row<3>> rows =
+            first ? std::vector<Row<3>>{turn, floor} : std::vector<Row<3>>{floor, turn};
+        std::vector<SolverRow<3>> solver_rows;
+        prepare<3>(rows, {}, VecX::Zero(2), solver_rows);
+        VecX u(3);
+        u << 0, -2, 0;
+        std::deque<ExactScratch> scratch;
+        const IslandAnswer answer = solve_exactly<3>(solver_rows, 0, scratch, u);
+        CHECK(answer.status == Status::solved);  // the motor gives all it has, and nothing turns
+        CHECK(u.cwiseAbs().maxCoeff() < 1e-14);
+        CHECK(solver_rows[first ? 0 : 1].lambda == 1);
+        CHECK(solver_rows[first ? 1 : 0].lambda == Approx(2).epsilon(1e-14));
+    }
+}
+
 TEST_CASE("for two balls and a wall by hand the exact island gives what (10.10) says", "[idea]")
 {
     // 1 kg against the wall at 0 m/s, 3 kg runs into it at 2 m/s: both stop, 6 N s each, whatever λ they start from.
@@ -1516,6 +1541,31 @@ TEST_CASE("a fixed disc that moves pushes sleepers out of its way and they do no
     CHECK(now.counters.awake == 2);
     CHECK(now.scene.bodies.position(0).x() == Approx(-0.21 + 40 * 5e-4).epsilon(1e-9));
     CHECK(now.scene.bodies.position(1).x() == Approx(-0.21 + 40 * 5e-4 + 0.2).margin(1e-3));
+}
+
+TEST_CASE("a disc that can move from now on joins the groups beside it and one that cannot parts them",
+          "[idea]")
+{
+    // Three discs in a column on the floor: the rows stay what they are while the middle one is let go and held again.
+    DiscScene scene = column(3);
+    scene.bodies.inverse_mass.segment<2>(2).setZero();
+    SkippingWorld now = make_world(scene, {});
+    SkippingSettings settings;
+    settings.sleep = false;
+    settings.exact_rows = 0;
+    settings.sweeps.max_sweeps = 1;
+    settings.stabilizer.method = Stabilizer::projection;
+    const auto groups_after = [&](int steps) {
+        run(now, settings, steps);
+        return now.method.start.groups.of;
+    };
+    const std::vector<Index> apart{0, 1, 2}, together{0, 0, 0};
+    CHECK(groups_after(5) == apart);
+    change_disc(now, 1, now.scene.bodies.position(1), {0, 0}, 1);
+    CHECK(groups_after(1) == together);
+    CHECK(groups_after(1) == together);
+    change_disc(now, 1, now.scene.bodies.position(1), {0, 0}, 0);
+    CHECK(groups_after(1) == apart);
 }
 
 TEST_CASE("the best multiple looks at no body that sleeps", "[house]")

@@ -51,6 +51,9 @@ void require_valid(const Row<Dof>& row, const std::string& name, Index count)
         refuse("has an entry of J that is not finite");
     if (!row.Wa.allFinite() || !row.Wb.allFinite())
         refuse("has an entry of the inverse mass times J that is not finite");
+    if (const Real A = row.inverse_effective_mass(); !std::isfinite(A))
+        refuse("has J M⁻¹ Jᵀ = " + shortest(A) +
+               " 1/kg; it must be finite: give C and J in a larger unit");
     if (!std::isfinite(row.bias))
         refuse("has the bias " + shortest(row.bias) + " m/s; it must be finite");
     if (!(row.lo <= row.hi))

@@ -25,6 +25,9 @@ void conjugate_gradients(const Mlcp& mlcp, Real tolerance, int max_iterations,
                                     " m/s and limit of " +
                                     std::to_string(max_iterations) +
                                     " iterations: both must be zero or positive");
+    if (std::isinf(tolerance))
+        throw std::invalid_argument("the tolerance of conjugate gradients is inf "
+                                    "m/s; any answer would do");
     const Index n = mlcp.size();
     for (Index i = 0; i < n; ++i)
         if (mlcp.lo[i] > -infinity || mlcp.hi[i] < infinity)

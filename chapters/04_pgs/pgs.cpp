@@ -30,6 +30,9 @@ void require_valid(const PgsSettings& settings)
                                     " m/s and limit of " +
                                     std::to_string(settings.max_sweeps) +
                                     " sweeps: neither may be negative");
+    if (std::isinf(settings.tolerance))
+        throw std::invalid_argument("the tolerance of the sweeps is inf m/s; any "
+                                    "answer would do");
 }
 
 }  // namespace rigid

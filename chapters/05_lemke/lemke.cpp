@@ -14,6 +14,9 @@ void require_valid(const LemkeSettings& settings)
             shortest(settings.enough) + " and the pivot limit " +
             std::to_string(settings.pivot_limit) +
             "; the tolerance must be positive, the others not negative");
+    if (std::isinf(settings.enough))
+        throw std::invalid_argument("the residual that is nothing is inf m/s; any "
+                                    "answer would do");
     require_share(settings.tolerance);
 }
 

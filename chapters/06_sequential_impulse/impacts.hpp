@@ -31,7 +31,7 @@ void newton_biases(std::vector<Row<Dof>>& rows, Real e, const VecX& u)
 /// The sequential law: whichever row hits, J u + b < 0, in the order of the rows, gets the impulse of an impact of
 /// its two bodies alone. λ sums up all of its impacts.
 ///
-/// `solved` when no row hits any more. Balls on a line come to that end, but with 0 < e < 1 it may take infinitely
+/// `solved` when no row hits any more. Balls on a line come to that end, but with e < 1 it may take infinitely
 /// many impacts: then `iteration limit`. `infeasible` when a row hits between bodies that cannot move.
 /// \param rows       contacts, 0 ≤ λ, with the biases as above
 /// \param tolerance  [m/s]

@@ -198,8 +198,10 @@ inline void store(ImpulseCache& cache, std::span<const ImpulseKey> keys,
                                     " keys for " + std::to_string(lambda.size()) +
                                     " impulses");
     if (knows(cache, keys) && lambda.allFinite()) {  // the same rows once more
-        for (std::size_t i = 0; i < keys.size(); ++i)
-            cache.entries[cache.place[i]].lambda = lambda[static_cast<Index>(i)];
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            ImpulseCache::Entry& entry = cache.entries[cache.place[i]];
+            entry.lambda = lambda[static_cast<Index>(i)], entry.unseen = 0;
+        }
         cache.h = h;
         return;
     }

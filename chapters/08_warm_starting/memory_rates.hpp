@@ -27,8 +27,10 @@ Real spectral_radius(Matrix power)
     // The size of its 2⁶⁰th power, to the power of 2⁻⁶⁰.
     Real logarithm = 0, exponent = 1;
     for (int k = 0; k < 60; ++k) {
-        const Real size = power.norm();
-        if (!(size > 0)) return 0;
+        Real size = power.norm();
+        // the squares of its numbers overflow, or vanish
+        if (!(size > 0 && std::isfinite(size))) size = power.stableNorm();
+        if (!(size > 0)) return size;  // zero, or not a number
         logarithm += log(size) * exponent;
         power = ((power / size) * (power / size)).eval();
         exponent /= 2;

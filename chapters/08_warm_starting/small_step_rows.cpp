@@ -104,6 +104,9 @@ void begin_rows(const DiscScene& scene, const SmallStepSettings& settings,
                     now.keys == now.keys_before;
     if (!now.same_rows) change_rows(scene, settings, h, now);
     now.cache.h = h;
+    now.driven = false;
+    for (Index k = 0; k < scene.bodies.count() && !now.driven; ++k)
+        now.driven = !(now.mass[k] > 0) && !scene.bodies.velocity(k).isZero(0);
 
     // At which distance C is zero, and the normals of walls.
     for (std::size_t i = 0; i < now.keys.size(); ++i) {

@@ -50,8 +50,10 @@ struct SmallStep {
     std::vector<std::size_t> group_of_row;
     std::vector<BodyRun> runs;         ///< all bodies, in their order
     std::vector<StartOfGroup> starts;  ///< of each group
-    VecX mass;                         ///< K [kg]; 0 = cannot move
-    VecX u, change;                    ///< [m/s]; Δu of the guess
+    VecX mass;                         ///< K [kg]; 0 = nothing moves it
+    /// a disc that nothing moves has a velocity
+    bool driven = false;
+    VecX u, change;   ///< [m/s]; Δu of the guess
     int sweeps = 0;   ///< of the last step, of all sub-steps together
     Real length = 1;  ///< ℓ, of the scene [m]
     /// nothing came or went since the step before

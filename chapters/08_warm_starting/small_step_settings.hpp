@@ -64,6 +64,11 @@ inline void require_valid(const DiscScene& scene, const SmallStepSettings& setti
         throw std::invalid_argument(
             "there are " + std::to_string(settings.substeps) + " substeps of " +
             std::to_string(settings.sweeps) + " sweeps; both must be 1 or more");
+    if (settings.correction.method != Stabilizer::projection)
+        throw std::invalid_argument(
+            "the correction is " +
+            std::string(to_string(settings.correction.method)) +
+            "; small steps correct errors of position by projection alone");
     if (settings.correction.beta != 1)
         throw std::invalid_argument(
             "beta is " + shortest(settings.correction.beta) +

@@ -35,8 +35,13 @@ void carry(std::size_t k, SmallStep& now)
     const SolverRow<2>& row = now.rows[k];
     now.change.segment<2>(row.a) += row.Wa * row.lambda;
     now.change.segment<2>(row.b) += row.Wb * row.lambda;
-    if (row.bias > 0)
-        now.starts[now.group_of_row[k]].slope += row.bias * row.lambda;
+    Real& slope = now.starts[now.group_of_row[k]].slope;
+    if (row.bias > 0) slope += row.bias * row.lambda;
+    if (!now.driven) return;
+    const auto of_driven = [&now](const RowVec<2>& J, int from) {
+        return now.mass[from / 2] > 0 ? 0 : J.dot(now.u.segment<2>(from));
+    };
+    slope += row.lambda * (of_driven(row.Ja, row.a) + of_driven(row.Jb, row.b));
 }
 
 //! [start_rows]

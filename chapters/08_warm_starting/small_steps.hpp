@@ -30,7 +30,7 @@ SmallStepSettings careful_steps();
 /// \return      C [m]
 Real refresh(const VecX& x, const VecX& inverse_mass, Real rest, SolverRow<2>& row);
 
-/// What the impulse of a row does to its bodies, and bᵀλ.
+/// What the impulse of a row does to its bodies, and bᵀλ, with λ J u of discs that nothing moves and that move.
 void carry(std::size_t k, SmallStep& now);
 
 /// C, J and b where the bodies are now, and what the remembered impulses do along
@@ -39,7 +39,7 @@ void carry(std::size_t k, SmallStep& now);
 void begin_substep(const Bodies<2>& bodies, Real h, SmallStep& now);
 
 /// u becomes u* + s M⁻¹ Jᵀ λ with the multiple s of each group, (8.12): qᵀλ = bᵀλ +
-/// Σ m u*·Δu, λᵀAλ = Σ m Δu².
+/// Σ m u*·Δu, and λ J u of what nothing moves, λᵀAλ = Σ m Δu².
 /// \param gain  h g [m/s]
 void take_multiples(const MultipleRule& rule, const Vec2& gain, SmallStep& now);
 

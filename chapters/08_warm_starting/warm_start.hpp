@@ -85,7 +85,8 @@ struct WarmStart : PlainStart {
         VecX& lambda = now.solution.lambda;
         lambda *= from == Start::cold ? 0 : factor;
         if (from != Start::best_multiple) return;
-        if (now.substep == 0 && !now.same_rows)
+        // the same rows may join others, once a body can move that could not
+        if (now.substep == 0 && !(now.same_rows && now.same_bodies))
             find_groups<Dof>(now.rows, bodies.inverse_mass, groups);
         best_multiple<Dof>(now.rows, bodies.inverse_mass, now.u_star, groups,
                            multiple, lambda, rule);

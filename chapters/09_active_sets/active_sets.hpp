@@ -129,6 +129,13 @@ inline void active_sets(const Mlcp& mlcp, const ActiveSetSettings& settings,
 {
     require_valid(mlcp);
     require_valid(settings);
+    if (!mlcp.A.isCompressed()) {  // what follows reads the arrays of A
+        Mlcp compressed = mlcp;
+        compressed.A.makeCompressed();
+        active_sets(compressed, settings, memory, solution);
+        memory.problem.mlcp = &mlcp;
+        return;
+    }
     const Index n = mlcp.size();
     memory.work = {};
     solution.uniqueness = Uniqueness::not_examined;

@@ -15,6 +15,11 @@ inline void dantzig(const Mlcp& mlcp, const ActiveSetSettings& settings,
 {
     require_valid(mlcp);
     require_valid(settings);
+    if (!mlcp.A.isCompressed()) {  // is_symmetric() reads the arrays of A
+        Mlcp compressed = mlcp;
+        compressed.A.makeCompressed();
+        return dantzig(compressed, settings, memory, solution);
+    }
     if (!is_symmetric(mlcp.A, memory.cursor))
         throw std::invalid_argument("A is not symmetric; Dantzig's method with L D "
                                     "Lᵀ needs A[i,j] = A[j,i]");

@@ -26,7 +26,7 @@ struct ExactScratch {
 //! [closed_form]
 /// One row is solved by one visit, two rows by chapter 6's block (6.21). False
 /// where the two are so nearly the same row that rounding would make the answer
-/// useless.
+/// useless, and where nothing moves one of them.
 template <int Dof>
 bool solve_in_closed_form(std::span<SolverRow<Dof>> rows, VecX& u)
 {
@@ -34,6 +34,7 @@ bool solve_in_closed_form(std::span<SolverRow<Dof>> rows, VecX& u)
         visit(rows[0], u);
         return true;
     }
+    if (!(rows[0].mass > 0 && rows[1].mass > 0)) return false;
     const Real A12 = coupling(rows[0], rows[1]);
     if (!(A12 * A12 * rows[0].mass * rows[1].mass < 1 - 1e-8)) return false;
     visit_block(rows[0], rows[1], A12, 0, u);
