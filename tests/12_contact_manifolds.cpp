@@ -241,6 +241,46 @@ TEST_CASE("the deepest gap of random shapes is their distance by Minkowski diffe
           1e-9);  // rounding of sums of numbers of size 5: 1e-15, and what nearly parallel edges make of it
 }
 
+TEST_CASE("edges in line or along the normal at the end of a face have the gap of their distance", "[idea]")
+{
+    // Corners on a grid of half metres, some a nanometre off it: edges that are all but in line, corners over corners.
+    Random random(3);
+    const auto shape = [&random] {
+        std::vector<Vec2> corners;
+        for (auto i = 1 + random.index(7); i-- > 0;) {
+            const auto x = static_cast<Real>(random.index(7)) - 3;
+            const auto y = static_cast<Real>(random.index(5)) - 2;
+            const auto off = static_cast<Real>(random.index(3)) - 1;
+            corners.push_back({x / 2, y / 2 + 1e-9 * off});
+        }
+        const bool sharp = random.uniform() < 0.5;
+        return Polygon{by_force::hull_of(corners), sharp ? 0 : random.uniform(0, 0.3)};
+    };
+    const auto quarter = [&random](Real places) {
+        return (static_cast<Real>(random.index(static_cast<Index>(2 * places + 1))) - places) / 2;
+    };
+    Real worst = 0;
+    for (int round = 0; round < 40000; ++round) {
+        by_force::Pair pair{shape(), shape(), {0, 0, 0}, {quarter(6), quarter(6), 0}};
+        if (random.uniform() < 0.5) pair.at_b[2] = pi * quarter(3);
+        const Manifold m = at_poses(pair.a, pair.at_a, pair.b, pair.at_b);
+        REQUIRE(m.count > 0);
+        worst = std::max(worst, std::abs(m.deepest() - by_force::distance(pair)));
+    }
+    CHECK(worst <= 1e-9);  // as above
+
+    // A bar that stands upright, by a quarter turn and so to rounding, over the end of a face.
+    const Polygon table{{{0, -1}, {0.5, -1}, {0.5, 0}, {0, 0}}, 0}, bar = capsule(1, 0.1);
+    for (const Real turn : {-pi / 2, pi / 2, 3 * pi / 2})
+        for (const Real x : {0.0, 0.5, std::nextafter(0.0, 1.0), std::nextafter(0.5, 0.0)}) {
+            const Manifold m = at_poses(table, {0, 0, 0}, bar, {x, 0.59, turn}, {0.02});
+            CAPTURE(turn, x);
+            REQUIRE(m.count == 1);
+            CHECK(std::abs(m.points[0].gap + 0.01) <= 1e-14);  // rounding of lengths of about 1 m
+            CHECK((m.points[0].point - Vec2(x, -0.005)).norm() <= 1e-14);
+        }
+}
+
 TEST_CASE("two shapes touch at the same points whichever is named first", "[idea]")
 {
     Random random(2);
@@ -734,6 +774,27 @@ TEST_CASE("a ray meets what creeping along it meets", "[idea]")
     CHECK(hits > 100);
 }
 
+TEST_CASE("a ray along the line of a face meets it only where the face is", "[idea]")
+{
+    Random random(31);
+    for (int i = 0; i < 20000; ++i) {
+        const PlacedShape placed(box(1, 1),
+                                 {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-3, 3)});
+        const auto k = static_cast<std::size_t>(i % 4);
+        const Vec2 &v = placed.vertices[k], side = placed.vertices[(k + 1) % 4] - v,
+                   from = v - random.uniform(1, 4) * side, way = random.uniform(0.2, 0.8) * side;
+        CHECK_FALSE(cast({from, way}, placed.view()).hit);   // ends before it
+        CHECK_FALSE(cast({from, -way}, placed.view()).hit);  // goes away from it
+        // rounding may let it pass beside the face
+        const RayHit along = cast({from, 6 * side}, placed.view());
+        if (along.hit) {
+            const Real gone = along.part * 6, there = (v - from).norm();
+            CHECK(gone >= there - 1e-12);
+            CHECK(gone <= there + 1 + 1e-12);
+        }
+    }
+}
+
 TEST_CASE("the bodies at a point are those whose distance from it is not positive", "[idea]")
 {
     Random random(12);
@@ -785,6 +846,13 @@ TEST_CASE("a point that is not finite is in no shape and a ray from there is ref
                   }) == "a ray begins at (3, 0) and goes (0, " + shortest(x) + "); both must be finite");
         }
     }
+    // The square of its length is no number: it would meet a disc that it misses, at once and without a normal.
+    const PlacedShape round(disc(1), {0, 0, 0});
+    CHECK(sentence_of([&] {
+              cast({{-10, 5}, {1e160, 0}}, round.view());
+          }) == "a ray begins at (-10, 5) and goes (1e+160, 0); none of these may be beyond 1e75");
+    CHECK(!cast({{-10, 5}, {1e75, 0}}, round.view()).hit);
+    CHECK(cast({{-10, 0}, {1e75, 0}}, round.view()).normal == Vec2(-1, 0));
     CHECK(Manifold{}.deepest() == infinity);
 }
 

@@ -178,6 +178,11 @@ TEST_CASE("a softness that makes no sense is refused by name", "[house]")
     CHECK(sentence_of([] {
               require_valid(Softness{0, 1}, "joints");
           }) == "the frequency of joints is 0 Hz; it must be positive (infinite: hard)");
+    // without damping its γ would be A/0, and γ λ no number
+    CHECK(sentence_of([] {
+              require_valid(Softness{1e-165, 0}, "contacts");
+          }) == "the frequency of contacts is 1e-165 Hz; it must be 1e-75 or more");
+    CHECK(sentence_of([] { require_valid(Softness{1e-75, 0}, "contacts"); }) == "accepted");
     CHECK(sentence_of([] {
               require_valid(Softness{1, -1}, "contacts");
           }) == "the damping ratio of contacts is -1; it must be zero or positive and finite");

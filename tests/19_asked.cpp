@@ -439,6 +439,11 @@ TEST_CASE("a ray and a cast find all that is on their way in its order", "[idea]
           std::vector<BodyId>{all[4], all[0], all[3]});
     CHECK(engine.overlapping(box(9, 0.1), {4.5, 0}, 0, some).size() == 3);
     CHECK_THROWS_WITH(engine.ray_all({0, infinity}, {1, 0}), Contains("ray"));
+    CHECK_THROWS_WITH(engine.ray({0, 0}, {1e76, 0}), Contains("the ray") && Contains("beyond 1e75"));
+    CHECK_THROWS_WITH(engine.cast(box(1, 1), {0, -1e76}, 0, {1, 0}),
+                      Contains("the shape") && Contains("beyond 1e75"));
+    CHECK_THROWS_WITH(engine.cast(box(1, 1), {0, 0}, infinity, {1, 0}),
+                      "the shape goes from an angle of inf rad; it must be finite");
     CHECK_THROWS_WITH(engine.cast_all(disc(0.2), {0, 0}, infinity, {1, 0}), Contains("shape goes"));
 }
 

@@ -4,21 +4,30 @@
 #include "chapters/12_contact_manifolds/casts.hpp"
 #include "common/text.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace rigid {
 
-static void require_finite(const Ray& ray)
+static void require_valid(const Ray& ray)
 {
-    if (ray.from.allFinite() && ray.way.allFinite()) return;
-    throw std::invalid_argument("a ray begins at (" + shortest(ray.from.x()) +
-                                ", " + shortest(ray.from.y()) + ") and goes (" +
-                                shortest(ray.way.x()) + ", " +
-                                shortest(ray.way.y()) + "); both must be finite");
+    const auto within = [&ray](Real most) {
+        return (ray.from.array().abs() <= most).all() &&
+               (ray.way.array().abs() <= most).all();
+    };
+    if (within(largest_number)) return;
+    const bool finite = within(std::numeric_limits<Real>::max());
+    throw std::invalid_argument(
+        "a ray begins at (" + shortest(ray.from.x()) + ", " +
+        shortest(ray.from.y()) + ") and goes (" + shortest(ray.way.x()) + ", " +
+        shortest(ray.way.y()) + "); " +
+        (finite ? "none of these may be beyond 1e75" : "both must be finite"));
 }
 
 //! [cast]
 RayHit cast(const Ray& ray, const Placed& shape)
 {
-    require_finite(ray);
+    require_valid(ray);
     RayHit first;
     if (distance_to(shape, ray.from) <= 0) {
         first.hit = true, first.part = 0;
@@ -37,11 +46,15 @@ RayHit cast(const Ray& ray, const Placed& shape)
         if (!(closing > 0)) continue;
         // a corner is on one side of the ray for both of its edges: a ray through
         // it meets one of them, whatever rounding says
-        const auto side = [&](const Vec2& corner) {
-            return cross2(ray.way, Vec2(corner + rho * n - ray.from));
-        };
-        if (side(v) * side(shape.vertex(shape.next(i))) > 0) continue;
-        enter((n.dot(ray.from - v) - rho) / closing, n);
+        const Vec2 begin = v + rho * n - ray.from,
+                   end = shape.vertex(shape.next(i)) + rho * n - ray.from;
+        if (cross2(ray.way, begin) * cross2(ray.way, end) > 0) continue;
+        // of a ray along the edge this is 0/0: it is nowhere but on the edge
+        const auto [first_end, last_end] =
+            std::minmax({begin.dot(ray.way) / d2, end.dot(ray.way) / d2});
+        enter(
+            std::clamp((n.dot(ray.from - v) - rho) / closing, first_end, last_end),
+            n);
     }
     for (int i = 0; i < shape.size() && rho > 0; ++i) {
         // ‖r + s d‖ = ρ with r = o − v

@@ -38,7 +38,7 @@ inline Real distance_to(const Placed& shape, const Vec2& point)
 }
 
 /// Where a ray enters a shape; at once if it starts inside.
-/// \throws std::invalid_argument  for a ray that is not finite
+/// \throws std::invalid_argument  for a ray that is not finite, or goes beyond 1e75 m
 RayHit cast(const Ray& ray, const Placed& shape);
 
 /// Whether the ray, as far as s = `part`, meets a box.

@@ -80,14 +80,19 @@ inline Vec2 point_on(const EdgeEnds& edge, Real tau)
 }
 //! [point_on]
 
-/// An edge along the normal has one place and two ends: the one that is nearer to the other shape counts.
+/// An edge along the normal, to rounding, has one place and two ends: the one that is nearer to the other shape counts.
 /// \param n  towards the other shape
 inline EdgeEnds nearer_end_first(EdgeEnds edge, const Vec2& n)
 {
-    if (edge.along[0] == edge.along[1] && n.dot(edge.at[1] - edge.at[0]) > 0) {
+    const Real rise = n.dot(edge.at[1] - edge.at[0]);
+    if (!(std::abs(edge.along[1] - edge.along[0]) <= 1e-7 * std::abs(rise)))
+        return edge;
+    if (rise > 0) {
         std::swap(edge.at[0], edge.at[1]);
         std::swap(edge.vertex[0], edge.vertex[1]);
+        std::swap(edge.along[0], edge.along[1]);
     }
+    edge.along[1] = edge.along[0];
     return edge;
 }
 

@@ -55,6 +55,9 @@ inline bool nearest_are_corners(EdgeEnds& reference, EdgeEnds& incident,
     const bool left = std::max(y0, y1)<0, right = std::min(y0, y1)> length;
     std::size_t v = left ? 0 : 1, w = height(0) <= height(1) ? 0 : 1;
     if (left || right) {  // the edges lie beside each other
+        const Real beside = left ? -std::max(y0, y1) : std::min(y0, y1) - length;
+        // of polygons that overlap they do so by rounding alone
+        if (beside <= -separation) return false;
         w = distance(v, 0) <= distance(v, 1) ? 0 : 1;
         // corners in one place have no direction
         if (distance(v, w) <= 1e-24 * length * length) return false;
@@ -100,6 +103,54 @@ inline void stay_with_face(const Placed& a, const Placed& b,
 }
 //! [stay]
 
+//! [in_line]
+constexpr Real in_line = 1 - 1e-12;  ///< n·n of two edges in line, at least
+
+/// Edges in line are equally good as faces, to rounding: of these the one that has
+/// the other's support over it.
+inline void find_under_support(const Placed& p, const Placed& q, Face& face)
+{
+    for (int i = 0; i < p.edges(); ++i) {
+        const Vec2 n = p.normal(face.edge), t = perpendicular(n),
+                   from = p.vertex(face.edge);
+        const Real y = t.dot(q.vertex(face.support) - from),
+                   length = t.dot(p.vertex(p.next(face.edge)) - from);
+        if (y >= 0 && y <= length) return;
+        Face beside = face;
+        beside.edge = y < 0 ? p.before(face.edge) : p.next(face.edge);
+        if (!(n.dot(p.normal(beside.edge)) > in_line)) return;
+        beside.separation = separation_of(p, beside.edge, q, beside.support);
+        if (beside.separation < face.separation - 1e-10 * length) return;
+        face = beside;
+    }
+}
+
+/// And of edges of q in line with the incident one the one that is over the
+/// reference face of p, if the support is no lower than what lies between.
+inline int incident_over(const Placed& p, const Face& face, const Placed& q,
+                         int incident)
+{
+    const Vec2 n = p.normal(face.edge), t = perpendicular(n),
+               from = p.vertex(face.edge);
+    const Real length = t.dot(p.vertex(p.next(face.edge)) - from);
+    for (int i = 0; i < q.edges(); ++i) {
+        const int next = q.next(incident);
+        const Real y0 = t.dot(q.vertex(incident) - from),
+                   y1 = t.dot(q.vertex(next) - from);
+        const bool left = std::max(y0, y1) < 0;
+        if (!left && !(std::min(y0, y1) > length)) break;
+        const bool back = left == (y0 > y1);
+        const Vec2 up = q.vertex(back ? incident : next) - q.vertex(face.support);
+        const int beside = back ? q.before(incident) : next;
+        if (!(q.normal(incident).dot(q.normal(beside)) > in_line) ||
+            n.dot(up) > 1e-9 * std::abs(y1 - y0))
+            break;
+        incident = beside;
+    }
+    return incident;
+}
+//! [in_line]
+
 //! [collide]
 /// The manifold of two shapes. The same points for b and a, with the normal the
 /// other way round, unless two faces are equally good: then the first named decides.
@@ -117,12 +168,14 @@ inline Manifold collide(const Placed& a, const Placed& b,
     if (corners) m.normal_of = NormalOf::centres;
     else {
         stay_with_face(a, b, how, face);
-        m.face = face.of_b ? a.edges() + face.edge : face.edge;
         const Placed &p = face.of_b ? b : a, &q = face.of_b ? a : b;
+        find_under_support(p, q, face);
+        m.face = face.of_b ? a.edges() + face.edge : face.edge;
         const Vec2 n = p.normal(face.edge);
         // 2: the incident edge
-        EdgeEnds reference = ends_of(p, face.edge),
-                 incident = ends_of(q, incident_edge(q, face.support, n));
+        const int facing =
+            incident_over(p, face, q, incident_edge(q, face.support, n));
+        EdgeEnds reference = ends_of(p, face.edge), incident = ends_of(q, facing);
         // 3: the normal
         corners = nearest_are_corners(reference, incident, n, face.separation);
         ea = face.of_b ? incident : reference;

@@ -11,6 +11,11 @@ void require_valid(const Softness& how, std::string_view name)
         throw std::invalid_argument("the frequency of " + std::string(name) +
                                     " is " + shortest(how.frequency) +
                                     " Hz; it must be positive (infinite: hard)");
+    // (hω)² must be more than nothing
+    if (how.frequency < 1e-75)
+        throw std::invalid_argument("the frequency of " + std::string(name) +
+                                    " is " + shortest(how.frequency) +
+                                    " Hz; it must be 1e-75 or more");
     if (!(how.damping_ratio >= 0) || !std::isfinite(how.damping_ratio))
         throw std::invalid_argument("the damping ratio of " + std::string(name) +
                                     " is " + shortest(how.damping_ratio) +

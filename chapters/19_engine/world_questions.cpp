@@ -11,25 +11,28 @@ namespace rigid {
 
 namespace {
 
-void require_ray(const Vec2& from, const Vec2& way)
+void require_way(const std::string& what, const Vec2& from, const Vec2& way)
 {
-    if (!from.allFinite() || !way.allFinite())
-        throw std::invalid_argument("the ray goes from (" + shortest(from.x()) +
-                                    ", " + shortest(from.y()) + ") m along (" +
-                                    shortest(way.x()) + ", " + shortest(way.y()) +
-                                    ") m; they must be finite");
+    const auto within = [](const Vec2& x) {
+        return (x.array().abs() <= largest_number).all();
+    };
+    if (within(from) && within(way)) return;
+    const bool finite = from.allFinite() && way.allFinite();
+    throw std::invalid_argument(
+        "the " + what + " goes from (" + shortest(from.x()) + ", " +
+        shortest(from.y()) + ") m along (" + shortest(way.x()) + ", " +
+        shortest(way.y()) + ") m; " +
+        (finite ? "none of these may be beyond 1e75" : "they must be finite"));
 }
 Vec<3> require_cast(const Polygon& shape, const Vec2& from, Real angle,
                     const Vec2& way)
 {
     require_valid(shape);
-    const Vec<3> pose(from.x(), from.y(), angle);
-    if (!pose.allFinite() || !way.allFinite())
-        throw std::invalid_argument("the shape goes from (" + shortest(from.x()) +
-                                    ", " + shortest(from.y()) + ") m along (" +
-                                    shortest(way.x()) + ", " + shortest(way.y()) +
-                                    ") m; they must be finite");
-    return pose;
+    require_way("shape", from, way);
+    if (!std::isfinite(angle))
+        throw std::invalid_argument("the shape goes from an angle of " +
+                                    shortest(angle) + " rad; it must be finite");
+    return {from.x(), from.y(), angle};
 }
 
 }  // namespace
@@ -39,7 +42,7 @@ void World::prepare_questions() const { place_moved(*state_); }
 std::optional<Met> World::ray(const Vec2& from, const Vec2& way,
                               const Filter& filter) const
 {
-    require_ray(from, way);
+    require_way("ray", from, way);
     place_moved(*state_);
     FirstMet first;
     meet_on_ray(*state_, {from, way}, filter, first);
@@ -48,7 +51,7 @@ std::optional<Met> World::ray(const Vec2& from, const Vec2& way,
 std::vector<Met> World::ray_all(const Vec2& from, const Vec2& way,
                                 const Filter& filter) const
 {
-    require_ray(from, way);
+    require_way("ray", from, way);
     place_moved(*state_);
     AllMet all;
     meet_on_ray(*state_, {from, way}, filter, all);
