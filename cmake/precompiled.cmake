@@ -1,7 +1,7 @@
 # precompile(TARGET): compiles a target of the book's own with the shared precompiled header: the standard library and
 # Eigen are parsed once (Eigen's factorisations are compiled once, in rigid_factors). It saves about a third of a build. A
 # build without it (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON, .ci/run alone) gives the same bits and shows a header that
-# relies on it. The library that is used (release) is compiled without it: who uses that has none. Where clang++ only looks
+# relies on it. The library that is used (release) is compiled without it: a program that uses it has none. Where clang++ only looks
 # at the library (presets clang and asan: RIGID_LIBRARY_PRECOMPILED), it is with it.
 option(RIGID_LIBRARY_PRECOMPILED "Compile the physics with the precompiled header, too (clang++ only)" OFF)
 if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS AND NOT MSVC)

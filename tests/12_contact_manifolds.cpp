@@ -260,7 +260,7 @@ TEST_CASE("edges in line or along the normal at the end of a face have the gap o
         return (static_cast<Real>(random.index(static_cast<Index>(2 * places + 1))) - places) / 2;
     };
     Real worst = 0;
-    for (int round = 0; round < 40000; ++round) {
+    for (int round = 0; round < 100000; ++round) {
         by_force::Pair pair{shape(), shape(), {0, 0, 0}, {quarter(6), quarter(6), 0}};
         if (random.uniform() < 0.5) pair.at_b[2] = pi * quarter(3);
         const Manifold m = at_poses(pair.a, pair.at_a, pair.b, pair.at_b);

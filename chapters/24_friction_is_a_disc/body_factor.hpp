@@ -34,7 +34,7 @@ class BodyFactor {
 public:
     using Block = Eigen::Matrix<Real, 6, 6>;
 
-    /// Who shares a row with whom, and the order of elimination.
+    /// Which bodies share a row, and the order of elimination.
     /// \param pairs  of bodies that some row holds
     void analyse(int bodies, std::span<const std::pair<int, int>> pairs);
 

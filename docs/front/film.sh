@@ -1,5 +1,5 @@
 #!/bin/sh
-# The film of the front page beside this script, light.gif and dark.gif, and still.svg for who wants nothing to move:
+# The film of the front page beside this script, light.gif and dark.gif, and still.svg for readers for whom nothing may move:
 # docs/front/film.sh build/release/bin
 set -eu
 programs=$(cd "$1" && pwd)

@@ -18,7 +18,7 @@
         }
 
         async start() {
-            const run = this.run = {};  // who leaves meanwhile, or comes again, makes another
+            const run = this.run = {};  // leaving meanwhile, or coming again, makes another
             const {program, scene, methods, settings} = this.place.dataset;
             try {
                 await new Promise(done => setTimeout(done, 150));
