@@ -767,6 +767,11 @@ TEST_CASE("sets are visited by their distance from the first guess", "[house]")
     settings.most_sets = 2;
     settings.first = {idle, pushes, idle};
     CHECK(enumerate(mlcp, settings).status == Status::iteration_limit);
+    // One of another problem would do nothing.
+    settings.first = {idle, pushes};
+    const std::string wanted = "the set to begin with names 2 rows; there are 3";
+    CHECK(sentence_of([&] { enumerate(mlcp, settings); }) == wanted);
+    CHECK(sentence_of([&] { schur(mlcp, settings); }) == wanted);
 }
 
 TEST_CASE("the order of the rows does not change the answer", "[idea]")

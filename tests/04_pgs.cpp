@@ -1187,12 +1187,12 @@ TEST_CASE("bad input of PGS is refused by a sentence", "[house]")
     SECTION("tolerance")
     {
         settings.tolerance = std::nan("");
-        CHECK(said() == "tolerance nan m/s and limit of 10000 sweeps: neither may be negative");
+        CHECK(said() == "the tolerance of the sweeps is nan; it must be zero or positive, and finite");
         settings.tolerance = infinity;
-        CHECK(said() == "the tolerance of the sweeps is inf m/s; any answer would do");
+        CHECK(said() == "the tolerance of the sweeps is inf; it must be zero or positive, and finite");
         mlcp.lo.setConstant(-infinity);
         CHECK(sentence_of([&] { conjugate_gradients(mlcp, infinity, 10); }) ==
-              "the tolerance of conjugate gradients is inf m/s; any answer would do");
+              "the tolerance of conjugate gradients is inf; it must be zero or positive, and finite");
     }
     SECTION("start")
     {

@@ -1617,9 +1617,18 @@ TEST_CASE("bad settings of a step are refused by a sentence and the scene stays 
     CHECK(said([](auto& s, auto&) { s.margin = -0.1; }) ==
           "the margin of contacts is -0.1; it must be zero or positive");
     CHECK(said([](auto&, auto& m) { m.solver.sweeps.tolerance = std::nan(""); }) ==
-          "the tolerance of the sweeps is nan; it must be zero or positive");
+          "the tolerance of the sweeps is nan; it must be zero or positive, and finite");
     CHECK(said([](auto&, auto& m) { m.solver.sweeps.tolerance = infinity; }) ==
-          "the tolerance of the sweeps is inf; any answer would do");
+          "the tolerance of the sweeps is inf; it must be zero or positive, and finite");
+    {  // also without a step
+        ImpulseSettings sweeps;
+        sweeps.tolerance = infinity;
+        ImpulseMemory<2> memory;
+        VecX u = scene.bodies.u;
+        Solution solution;
+        CHECK(sentence_of([&] { sequential_impulse<2>({}, {}, sweeps, memory, u, solution); }) ==
+              "the tolerance of the sweeps is inf; it must be zero or positive, and finite");
+    }
     CHECK(said([](auto&, auto& m) { m.solver.sweeps.max_sweeps = -1; }) ==
           "the number of sweeps is -1; it must be zero or positive");
     scene.gravity = {0, infinity};

@@ -314,6 +314,12 @@ TEST_CASE("small steps with settings that make no sense are refused", "[house]")
     CHECK(sentence([](auto& s) { s.h = -1; }).find("time step") != std::string::npos);
     CHECK(sentence([](auto& s) { s.correction.slop = -1; }).find("slop") != std::string::npos);
     CHECK(sentence([](auto& s) { s.correction.beta = 0.5; }).find("beta") != std::string::npos);
+    CHECK(
+        sentence([](auto& s) { s.correction.tolerance = 1e-9; }) ==
+        "the tolerance of the corrections is 1e-09; small steps make all their correction sweeps, so it must "
+        "be 0");
+    CHECK(sentence([](auto& s) { s.first_tolerance = std::numeric_limits<Real>::infinity(); }) ==
+          "the tolerance of the first sweeps is inf; it must be zero or positive, and finite");
     for (const Stabilizer other :
          {Stabilizer::none, Stabilizer::baumgarte, Stabilizer::relaxation, Stabilizer::split_impulse})
         CHECK(sentence([other](auto& s) { s.correction.method = other; }) ==

@@ -246,6 +246,31 @@ TEST_CASE("a motor and a spring reach a limit in the step in which they begin an
     CHECK(skipped == 2);
 }
 
+TEST_CASE("a limit holds where a belt begins to turn a wheel", "[idea]")
+{
+    // a wheel of 1 kg under a frame of 100 kg that only goes up and down stands on a belt of 20 m/s, at rest: friction can make
+    // it turn at 40 rad/s within a step of 1/60 s, which is 0.67 rad
+    for (const Real way : {1.0, -1.0}) {
+        JointedScene scene;
+        add_body(scene, box(0.2, 0.2), Mass{100, {0, 0}, 1}, {0, 0.5});
+        add_body(scene, disc(0.5), Mass{1, {0, 0}, 0.125}, {0, 0.5});
+        scene.walls.push_back({{0, 1}, 0});
+        cover(scene, {1, 0, 0, 0});
+        scene.wall_surfaces[0].belt = 20 * way;
+        RigidJoint guide = joint_at(scene, JointKind::prismatic, world, 0, {0, 0.5});
+        guide.axis = {0, 1};
+        add_joint(scene, guide);
+        RigidJoint axle = joint_at(scene, JointKind::revolute, 0, 1, {0, 0.5});
+        axle.lower = -0.3, axle.upper = 0.3;
+        add_joint(scene, axle);
+        Exact method;
+        StepData<3> now;
+        step(scene, {}, method, now);
+        REQUIRE(now.solution.status == Status::solved);
+        CHECK(std::abs(std::abs(coordinate(scene.bodies.x, axle)) - 0.3) <= 1e-12);
+    }
+}
+
 TEST_CASE("a damper alone lets a distance change and slows it down as it says", "[idea]")
 {
     JointedScene scene;

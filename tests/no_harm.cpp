@@ -291,7 +291,7 @@ TEST_CASE("a step that is refused for a setting of any stage leaves the scene as
         return std::vector<Fault>{{"the warm start factor is 2", [&m] { m.start.factor = 2; }}};
     };
     check_refused<PgsMethod>("sweeps on a matrix", {}, [&](auto& m, auto& s, auto& scene) {
-        return all({faults_of_step(m, s, scene), factor(m), {{"limit of -1 sweeps", [&m] {
+        return all({faults_of_step(m, s, scene), factor(m), {{"the number of sweeps is -1", [&m] {
                                                                   m.solver.find.settings.max_sweeps = -1;
                                                               }}}});
     });

@@ -17,11 +17,14 @@ namespace rigid {
 
 enum class BoundState : unsigned char { at_lo, between, at_hi };
 
+/// Throws std::invalid_argument unless a set to begin with is empty or of all rows.
+void require_all_rows(const std::vector<BoundState>& first, Index rows);
+
 class CaseSets {
 public:
-    /// \param first  the set to begin with; a row for which it is empty or impossible begins with what q
-    /// alone
-    ///               gives: what pushes is at work where q is negative
+    /// \param first  the set to begin with, of all rows; where it is empty, and in a row where it is impossible, q alone
+    ///               says with what to begin: what pushes is at work where q is negative
+    /// \throws std::invalid_argument  for a set of another number of rows
     CaseSets(const Mlcp& mlcp, const std::vector<BoundState>& first);
 
     Real count() const { return count_; }

@@ -24,7 +24,8 @@ namespace rigid {
 struct EnumerationSettings {
     /// take the first set that fits; nothing is then said about uniqueness
     bool stop_at_first = false;
-    /// the guess to begin with; the others follow by how many rows differ
+    /// the guess to begin with, of all rows or empty; the others follow by how many
+    /// rows differ
     std::vector<BoundState> first;
     /// of the natural residual, relative to the numbers in the problem
     Real tolerance = 1e-10;

@@ -99,7 +99,8 @@ Solution schur(const Mlcp& mlcp, const EnumerationSettings& settings)
         return solution;
     }
     EnumerationSettings of_rest = settings;
-    if (static_cast<Index>(settings.first.size()) == mlcp.size()) {
+    if (!settings.first.empty()) {
+        require_all_rows(settings.first, mlcp.size());
         of_rest.first.clear();
         for (const Index i : parts.others)
             of_rest.first.push_back(settings.first[static_cast<std::size_t>(i)]);

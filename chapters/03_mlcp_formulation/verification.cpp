@@ -15,6 +15,14 @@ void require_share(Real tolerance)
             " of the numbers in its rows; it must be below 0.01");
 }
 
+void require_tolerance(const char* of, Real tolerance)
+{
+    if (!(tolerance >= 0 && tolerance < infinity))
+        throw std::invalid_argument("the tolerance of " + std::string(of) + " is " +
+                                    shortest(tolerance) +
+                                    "; it must be zero or positive, and finite");
+}
+
 Real row_unit(const Mlcp& mlcp, Index i, Real diagonal)
 {
     if (diagonal < 0 || diagonal > 0) return std::sqrt(std::abs(diagonal));

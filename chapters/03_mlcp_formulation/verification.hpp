@@ -22,6 +22,10 @@ namespace rigid {
 /// from 1 on λ = 0 would be an answer to any, for |w_i| ≤ S_i.
 void require_share(Real tolerance);
 
+/// Throws std::invalid_argument, naming what it is of ("the sweeps"), unless a tolerance is zero or positive, and finite: an
+/// infinite one would make any λ an answer.
+void require_tolerance(const char* of, Real tolerance);
+
 /// How small a residual has to be.
 struct Acceptance {
     Real tolerance = 1e-10;  ///< τ, as a share of the numbers in the row

@@ -20,14 +20,11 @@ void conjugate_gradients(const Mlcp& mlcp, Real tolerance, int max_iterations,
                          CgMemory& memory, Solution& solution)
 {
     require_valid(mlcp);
-    if (!(tolerance >= 0) || max_iterations < 0)
-        throw std::invalid_argument("tolerance " + shortest(tolerance) +
-                                    " m/s and limit of " +
+    require_tolerance("conjugate gradients", tolerance);
+    if (max_iterations < 0)
+        throw std::invalid_argument("the limit of iterations is " +
                                     std::to_string(max_iterations) +
-                                    " iterations: both must be zero or positive");
-    if (std::isinf(tolerance))
-        throw std::invalid_argument("the tolerance of conjugate gradients is inf "
-                                    "m/s; any answer would do");
+                                    "; it must be zero or positive");
     const Index n = mlcp.size();
     for (Index i = 0; i < n; ++i)
         if (mlcp.lo[i] > -infinity || mlcp.hi[i] < infinity)

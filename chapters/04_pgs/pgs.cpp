@@ -25,14 +25,11 @@ bool has_hopeless_row(const Mlcp& mlcp, const SweepRows& sweep, Real tolerance)
 
 void require_valid(const PgsSettings& settings)
 {
-    if (!(settings.tolerance >= 0) || settings.max_sweeps < 0)
-        throw std::invalid_argument("tolerance " + shortest(settings.tolerance) +
-                                    " m/s and limit of " +
+    require_tolerance("the sweeps", settings.tolerance);
+    if (settings.max_sweeps < 0)
+        throw std::invalid_argument("the number of sweeps is " +
                                     std::to_string(settings.max_sweeps) +
-                                    " sweeps: neither may be negative");
-    if (std::isinf(settings.tolerance))
-        throw std::invalid_argument("the tolerance of the sweeps is inf m/s; any "
-                                    "answer would do");
+                                    "; it must be zero or positive");
 }
 
 }  // namespace rigid

@@ -8,15 +8,13 @@ namespace rigid {
 void require_valid(const LemkeSettings& settings)
 {
     if (!(settings.tolerance > 0) || !(settings.enough >= 0) ||
-        settings.pivot_limit < 0)
+        settings.enough == infinity || settings.pivot_limit < 0)
         throw std::invalid_argument(
             "the tolerance is " + shortest(settings.tolerance) + ", enough " +
-            shortest(settings.enough) + " and the pivot limit " +
+            shortest(settings.enough) + " m/s and the pivot limit " +
             std::to_string(settings.pivot_limit) +
-            "; the tolerance must be positive, the others not negative");
-    if (std::isinf(settings.enough))
-        throw std::invalid_argument("the residual that is nothing is inf m/s; any "
-                                    "answer would do");
+            "; the tolerance must be positive, the others not negative, enough "
+            "finite");
     require_share(settings.tolerance);
 }
 

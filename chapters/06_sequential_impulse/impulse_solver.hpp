@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
+#include "chapters/03_mlcp_formulation/verification.hpp"
 #include "chapters/06_sequential_impulse/block.hpp"
 #include "chapters/06_sequential_impulse/row_order.hpp"
 #include "chapters/06_sequential_impulse/sequential_impulse.hpp"
@@ -30,13 +31,7 @@ std::int64_t sweep_on(std::span<SolverRow<Dof>> rows,
 /// Throws std::invalid_argument, naming the setting and its value, unless both make sense.
 inline void require_valid(const ImpulseSettings& sweeps)
 {
-    if (!(sweeps.tolerance >= 0))
-        throw std::invalid_argument("the tolerance of the sweeps is " +
-                                    shortest(sweeps.tolerance) +
-                                    "; it must be zero or positive");
-    if (std::isinf(sweeps.tolerance))
-        throw std::invalid_argument("the tolerance of the sweeps is inf; "
-                                    "any answer would do");
+    require_tolerance("the sweeps", sweeps.tolerance);
     if (sweeps.max_sweeps < 0)
         throw std::invalid_argument("the number of sweeps is " +
                                     std::to_string(sweeps.max_sweeps) +

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "chapters/02_velocity_constraints/row_checks.hpp"
-#include "chapters/03_mlcp_formulation/mlcp.hpp"
+#include "chapters/03_mlcp_formulation/verification.hpp"
 #include "chapters/06_sequential_impulse/feedback.hpp"
 
 #include <algorithm>
@@ -128,6 +128,7 @@ bool begin_sweeps(const std::vector<Row<Dof>>& rows, std::span<const int> order,
     const auto m = static_cast<Index>(rows.size());
     require_bodies<Dof>(rows, u.size() / Dof);
     require_order(order, rows.size(), memory.seen);
+    require_tolerance("the sweeps", tolerance);
     if (solution.lambda.size() != m) solution.lambda.setZero(m);
     clamp_start(rows, solution.lambda);
     prepare(rows, order, solution.lambda, memory.rows);
@@ -197,7 +198,8 @@ void sweep_until(const ImpulseSettings& settings, bool hopeless,
 /// \param order     row numbers in the order of the visits; empty = as they are
 /// \param u         in: u*, velocities before all impulses; out: u* + M⁻¹ Jᵀ λ [m/s]
 /// \param solution  in: the λ to start from (a vector of another length means zero); out: the answer
-/// \throws std::invalid_argument  for an order that does not name each row once, or a row of a body that is not there
+/// \throws std::invalid_argument  for an order that does not name each row once, a row of a body that is not there, or a
+///                                tolerance that is negative or infinite
 template <int Dof>
 void sequential_impulse(const std::vector<Row<Dof>>& rows,
                         std::span<const int> order, const ImpulseSettings& settings,

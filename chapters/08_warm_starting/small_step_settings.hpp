@@ -2,6 +2,7 @@
 /// What small_steps() depends on, and which scenes it can step.
 #pragma once
 
+#include "chapters/03_mlcp_formulation/verification.hpp"
 #include "chapters/07_baumgarte/stabilization.hpp"
 #include "chapters/08_warm_starting/best_multiple.hpp"
 #include "common/forces.hpp"
@@ -56,10 +57,7 @@ inline void require_valid(const DiscScene& scene, const SmallStepSettings& setti
     require_margin(settings.margin);
     require_valid(settings.correction);
     require_valid(settings.start);
-    if (!(settings.first_tolerance >= 0))
-        throw std::invalid_argument("first_tolerance is " +
-                                    shortest(settings.first_tolerance) +
-                                    "; it must be zero or positive");
+    require_tolerance("the first sweeps", settings.first_tolerance);
     if (settings.substeps < 1 || settings.sweeps < 1)
         throw std::invalid_argument(
             "there are " + std::to_string(settings.substeps) + " substeps of " +
@@ -73,6 +71,11 @@ inline void require_valid(const DiscScene& scene, const SmallStepSettings& setti
         throw std::invalid_argument(
             "beta is " + shortest(settings.correction.beta) +
             "; small steps repay the whole error, so it must be 1");
+    if (settings.correction.tolerance != 0)
+        throw std::invalid_argument(
+            "the tolerance of the corrections is " +
+            shortest(settings.correction.tolerance) +
+            "; small steps make all their correction sweeps, so it must be 0");
     if (!scene.segments.empty())
         throw std::invalid_argument("the scene has walls with ends; small steps "
                                     "take only half-spaces for walls, "

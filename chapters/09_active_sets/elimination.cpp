@@ -48,10 +48,14 @@ bool Elimination::find_pattern(const SparseMatrix& A, std::size_t most)
     for (int k = 0; k < n; ++k) at(place_, at(order, k)) = k;
     lower_begin.assign(1, 0);
     lower_column.clear();
+    lower_column.reserve(static_cast<std::size_t>(A.nonZeros()) / 2);
     lower_value.clear();
+    lower_value.reserve(static_cast<std::size_t>(A.nonZeros()) / 2);
     diagonal_value.assign(order.size(), -1);
     row_begin.assign(1, 0);
     row_columns.clear();
+    // where it may become larger it grows as a vector does
+    row_columns.reserve(std::min(most, 4 * static_cast<std::size_t>(A.nonZeros())));
     parent_.assign(order.size(), -1);
     met_.assign(order.size(), -1);
     path_.resize(order.size());

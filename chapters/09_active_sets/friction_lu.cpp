@@ -39,13 +39,13 @@ void FrictionLu::factor(const std::vector<char>& active, const VecX& tie,
             const int last = at(end_, j);
             changed += last - at(e.column_begin, j);
             for (int r = at(e.column_begin, j); r < last; ++r) {
-                row_y_[at(row_, r)] -= l * at(upper_, r);
-                column_y_[at(row_, r)] -= at(lower_, r) * u;
+                row_y_[row_[r]] -= l * upper_[r];
+                column_y_[row_[r]] -= lower_[r] * u;
             }
             d -= l * u;
-            at(row_, last) = k;
-            at(lower_, last) = l;
-            at(upper_, last) = u;
+            row_[last] = k;
+            lower_[last] = l;
+            upper_[last] = u;
             at(end_, j) = last + 1;
         }
         if (!(std::abs(d) > 0.01 * shift[i])) d = d < 0 ? -shift[i] : shift[i];
@@ -61,12 +61,12 @@ void FrictionLu::solve(VecX& x)
     for (const int k : order_) row_y_[k] = x[at(e.order, k)];
     for (const int j : order_)
         for (int r = at(e.column_begin, j); r < at(end_, j); ++r)
-            row_y_[at(row_, r)] -= at(lower_, r) * row_y_[j];
+            row_y_[row_[r]] -= lower_[r] * row_y_[j];
     for (auto place = order_.rbegin(); place != order_.rend(); ++place) {
         const int j = *place;
         Real sum = row_y_[j];
         for (int r = at(e.column_begin, j); r < at(end_, j); ++r)
-            sum -= at(upper_, r) * row_y_[at(row_, r)];
+            sum -= upper_[r] * row_y_[row_[r]];
         row_y_[j] = sum / pivot_[j];
     }
     for (const int k : order_) {
@@ -108,7 +108,7 @@ bool FrictionLu::use(const SparseMatrix& A, std::span<const FrictionBox> boxes)
             fits_ = fits_ && found != end && *found == box.normal;
             meets_.push_back(static_cast<int>(found - inner));
         }
-    const auto room = static_cast<std::size_t>(elimination.entries());
+    const Index room = elimination.entries();
     row_.resize(room);
     lower_.resize(room);
     upper_.resize(room);

@@ -67,10 +67,13 @@ private:
     SparseMatrix closed_;
     std::vector<FrictionBox> boxes_;
     bool fits_ = false, factored_ = false, old_ = false;
-    std::vector<int> mirror_, meets_, next_, row_, end_, order_;
-    std::vector<Real> B_, lower_, upper_;
+    std::vector<int> mirror_, meets_, next_, end_, order_;
+    std::vector<Real> B_;
     std::vector<char> active_;
     VecX tie_, pivot_, row_y_, column_y_;
+    /// of the entries of both factors, column by column; not filled with zeros: a large part is never used
+    Eigen::VectorXi row_;
+    VecX lower_, upper_;
 };
 
 }  // namespace rigid

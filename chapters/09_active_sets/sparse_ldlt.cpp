@@ -9,7 +9,7 @@ void SparseLdlt::analyse_pattern(const Mlcp& mlcp)
 {
     elimination.analyse_pattern(mlcp.A);
     const Index n = mlcp.size();
-    row_.resize(static_cast<std::size_t>(elimination.entries()));
+    row_.resize(elimination.entries());
     value_.resize(row_.size());
     filled_.resize(static_cast<std::size_t>(n));
     pivot_.resize(n);

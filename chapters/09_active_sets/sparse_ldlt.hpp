@@ -49,9 +49,10 @@ private:
     /// share of A_ii that a pivot must keep
     static constexpr Real rank_tolerance = 1e-11;
 
-    /// of the entries of L, column by column
-    std::vector<int> row_, filled_, active_;
-    std::vector<Real> value_;
+    /// of the entries of L, column by column; not filled with zeros: a large part may never be used
+    Eigen::VectorXi row_;
+    VecX value_;
+    std::vector<int> filled_, active_;
     VecX pivot_;
     mutable VecX y_;                    ///< all zero between calls
     std::vector<BoundState> factored_;  ///< the cases that the factor is of

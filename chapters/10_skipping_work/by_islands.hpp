@@ -60,9 +60,6 @@ struct IslandSolver : PlainSolver {
     void require_valid() const
     {
         rigid::require_valid(sweeps);
-        if (!std::isfinite(sweeps.tolerance))
-            throw std::invalid_argument(
-                "the tolerance of the sweeps is not finite");
         if (ordering != Order::given && ordering != Order::coloured)
             throw std::invalid_argument("the order is " +
                                         std::string(to_string(ordering)) +

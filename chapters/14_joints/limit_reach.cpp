@@ -118,7 +118,7 @@ void LimitReach::find_fastest(const JointedScene& scene, const StepData<3>& now)
         if (bodies.can_move(a) && bodies.can_move(b))
             unite(above_, static_cast<int>(a), static_cast<int>(b));
     });
-    for_each_pair([&](Index a, Index b) {
+    const auto raise = [&](Index a, Index b, Real belt) {
         Real faster = 0;
         for (const Index k : {a, b})
             if (k != world) {
@@ -130,13 +130,18 @@ void LimitReach::find_fastest(const JointedScene& scene, const StepData<3>& now)
         for (const Index k : {a, b})
             if (k != world) {
                 Real& V = of_island(speed_, k);
-                V = std::max(V, faster);
+                V = std::max(V, faster + belt);
             }
-    });
+    };
     for (const Source& source : now.sources) {
+        const auto i = static_cast<std::size_t>(source.index);
+        if (source.of == Source::Of::contact) {
+            const Contact& contact = now.contacts[i];
+            raise(contact.a, contact.b, std::abs(surface_of(scene, contact).belt));
+        }
         if (source.of != Source::Of::joint) continue;
-        const PointJoint& joint =
-            scene.joints[static_cast<std::size_t>(source.index)];
+        const PointJoint& joint = scene.joints[i];
+        raise(joint.a, joint.b, 0);
         const Real speed = drive_speed(scene, joint, 0);
         if (!(speed > 0)) continue;
         for (const Index k : {joint.a, joint.b})

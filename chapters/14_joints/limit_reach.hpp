@@ -1,9 +1,10 @@
 /// \file limit_reach.hpp
 /// Which limits a step could reach: a blow changes the speed of a joint within the step, so its own speed says too little.
 ///
-///     far   ⇔   C > margin + 2 h (|Ċ| + D + s (V + E + h |g|))   V the fastest point of its island, s = 1 for lengths, 1/R for
-///                                                               angles, D what its own motor and spring add to −Ċ in a
-///                                                               step, E to the speeds of points what others of its island do
+///     far   ⇔   C > margin + 2 h (|Ċ| + D + s (V + E + h |g|))   V the fastest point of its island, belts included, s = 1 for
+///                                                               lengths, 1/R for angles, D what its own motor and spring
+///                                                               add to −Ċ in a step, E to the speeds of points what others
+///                                                               of its island do
 ///
 /// (14.7). A limb whose end is stopped, or struck, at the speed V turns at V/R. A row with C > 0 lets the joint come as near as the
 /// limit, and no nearer; without it the limit is overstepped by h Ċ before it has a row.

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "chapters/03_mlcp_formulation/step_data.hpp"
+#include "chapters/03_mlcp_formulation/verification.hpp"
 #include "chapters/15_trees/bounded_rows.hpp"
 #include "chapters/15_trees/joint_answer.hpp"
 #include "chapters/15_trees/newton_settings.hpp"
@@ -46,8 +47,7 @@ struct TreeSolver : PlainSolver {
             throw std::invalid_argument(what + "; it must be zero or positive");
         };
         if (sweeps < 0) refuse("the number of sweeps is " + std::to_string(sweeps));
-        if (!(tolerance >= 0))
-            refuse("the tolerance of the sweeps is " + shortest(tolerance));
+        require_tolerance("the sweeps", tolerance);
         if (most_exact < 0)
             refuse("the rows with bounds that are found exactly are at most " +
                    std::to_string(most_exact));

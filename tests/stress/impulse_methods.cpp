@@ -65,8 +65,7 @@ std::vector<Setting> small_settings(DiscScene& scene, SmallStepSettings& s)
             {"beta", &s.correction.beta},
             {"slop", &s.correction.slop},
             {"bilateral_slop", &s.correction.bilateral_slop},
-            or_infinity("max_correction_speed", &s.correction.max_correction_speed),
-            or_infinity("correction tolerance", &s.correction.tolerance)};
+            or_infinity("max_correction_speed", &s.correction.max_correction_speed)};
 }
 
 /// A preset of chapter 8. It calls nothing solved.
