@@ -410,6 +410,22 @@ TEST_CASE("through the middle a spin keeps its angular momentum to rounding and 
     CHECK(l == Approx(30 * inertia.cwiseProduct(start).norm()).epsilon(1e-12));
 }
 
+TEST_CASE("a needle that turns by thousands of radians in a step keeps its angular momentum", "[house]")
+{
+    // of these Newton's method leads every hundredth to no number
+    Random random(8);
+    for (int i = 0; i < 20000; ++i) {
+        const Real across = random.uniform(1, 200), fast = std::pow(10, random.uniform(3, 5));
+        const Vec3 inertia(1, across, across);
+        const Vec3 start = fast * random_vector(random, 1).normalized();
+        Vec3 theta(0, 0, 0), omega = start;
+        tumble(Tumbling::middle, inertia, 1, theta, omega);
+        const Vec3 L = inertia.cwiseProduct(start),
+                   after = rotation_matrix(quaternion_of(theta)) * inertia.cwiseProduct(omega);
+        CHECK((after - L).norm() < 1e-13 * L.norm());  // roundings of three rotations
+    }
+}
+
 TEST_CASE("run backwards a spin through the middle comes back to where it was", "[idea]")
 {
     const Vec3 inertia(1, 2, 3), start(0.5, 1, -0.7);
@@ -476,13 +492,30 @@ TEST_CASE("a body far from the origin of its shape has the inertia that it has",
     for (const Real away : {1e2, 1e5, 1e8}) {
         const Vec3 at(away, -away, 2 * away);
         const SolidMass box = mass_of(solid_box({1, 2, 4}, at), 1);
-        // corners are rounded to 1e-16 of where they are; nearer than a thousand sizes (20.15) cancels as well: sums of
+        // corners are rounded to 1e-16 of where they are; at the first of them (20.15) could cancel as well: sums of
         // fifty terms of 8 kg at six times away²
         const Real rounding = 1e-15 * away, cancelled = away < 1e3 ? 50 * 1e-16 * 8 * 6 * away * away : 0;
         CHECK(box.mass == Approx(8).epsilon(10 * (rounding + cancelled)));
         CHECK((box.centroid - at).norm() < 10 * (rounding + cancelled));
         CHECK((box.inertia - Mat3(Vec3(40, 34, 10).asDiagonal()) / 3).norm() < 100 * rounding + cancelled);
     }
+}
+
+TEST_CASE("the inertia of a cube and of a board has seven digits wherever they are", "[house]")
+{
+    Random random(7);
+    for (const Real thick : {1.0, 0.1, 0.01})
+        for (const Real away : {3.0, 30.0, 100.0, 300.0, 700.0, 3000.0})
+            for (int i = 0; i < 20; ++i) {
+                const Mat3 R = rotation_matrix(random_vector(random, 2));
+                const Vec3 at = away * random_vector(random, 1);
+                Hull board = solid_box({1, thick, 1});
+                const Mat3 I = mass_of(board, 1).inertia;
+                for (Vec3& p : board.vertices) p = R * p + at;
+                const SolidMass far = mass_of(board, 1);
+                CHECK((far.inertia - R * I * R.transpose()).norm() < 1e-7 * I.norm());
+                CHECK((far.centroid - at).norm() < 1e-7);
+            }
 }
 
 TEST_CASE("a body that may turn about a point has the energy of its spin alone", "[house]")

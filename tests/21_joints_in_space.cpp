@@ -263,6 +263,35 @@ TEST_CASE("a motor brings a hinge to its speed within its torque and a stop hold
     CHECK(largest_joint_error(scene) < 1e-3);
 }
 
+TEST_CASE("a door goes back to a stop at half a turn the short way and one that is locked there rests",
+          "[idea]")
+{
+    // how far it is from half a turn, at most on its way and in the end
+    const auto off = [](Real lo, Real hi, Real open) {
+        JointedSolids scene = driven_door(0, 0, 1);
+        scene.joints[0].lo[twist] = lo, scene.joints[0].hi[twist] = hi, scene.joints[0].motor = -1;
+        const Vec3 theta(0, open, 0);
+        scene.bodies.x << rotation_matrix(theta) * scene.bodies.x.head<3>(), theta;
+        SpaceExact method = exact_method(Stabilizer::split_impulse);
+        StepData<6> now;
+        Vec2 most_and_last(0, 0);
+        for (int i = 0; i < 400; ++i) {
+            step(scene, {.h = 1.0 / 60}, method, now);
+            const Real angle = turn_of(twist, frames_of(scene.bodies.x, scene.joints[0]).q).value;
+            most_and_last[1] = std::abs(std::remainder(angle - pi, 2 * pi));
+            most_and_last[0] = std::max(most_and_last[0], most_and_last[1]);
+        }
+        return most_and_last;
+    };
+    // 0.01 rad too far, or too little, of which each step takes back a part; 1e-9: what is left is far below
+    for (const Vec2& r : {off(0, pi, pi + 0.01), off(-pi, 0, -pi - 0.01), off(pi, pi, pi + 0.01),
+                          off(pi, pi, pi - 0.01), off(-pi, -pi, pi - 0.01)}) {
+        CHECK(r[0] < 0.01);
+        CHECK(r[1] < 1e-9);
+    }
+    CHECK(off(pi, pi, pi)[0] < 1e-9);  // where rounding chooses the sign of the twist
+}
+
 TEST_CASE("sweeps and islands and active sets find the same motion", "[idea]")
 {
     const auto end = [](auto method) {

@@ -348,7 +348,7 @@ TEST_CASE("scenes of what cannot be are refused with a sentence", "[house]")
     method.solver.sweeps.tolerance = infinity;
     StepData<6> now;
     CHECK(sentence_of([&] { step(stack, {}, method, now); }) ==
-          "the tolerance of the sweeps is inf; any answer would do");
+          "the tolerance of the sweeps is inf; it must be zero or positive, and finite");
 }
 
 TEST_CASE("poured hulls stay in their pit and lose energy", "[house]")

@@ -484,6 +484,24 @@ TEST_CASE("a cloth that makes no sense is refused with a sentence", "[house]")
     CHECK(refusal([&] { cloth_method("magic"); }) == "there is no method \"magic\" for a cloth");
 }
 
+TEST_CASE("a step that ends beyond all numbers is not solved", "[house]")
+{
+    for (const ClothMethod method :
+         {ClothMethod::pbd, ClothMethod::xpbd, ClothMethod::threads, ClothMethod::particles,
+          ClothMethod::augmented, ClothMethod::projective, ClothMethod::implicit_euler, ClothMethod::newton,
+          ClothMethod::midpoint, ClothMethod::exact})
+        for (const Real speed : {1e170, 1e307}) {  // the square of a way is infinite
+            ClothScene cloth = hung_sheet(3, 100, 1e-3);
+            cloth.bodies.velocity(5) = Vec3(0, speed, 0);
+            ClothSettings how;
+            how.method = method;
+            ClothMemory memory;
+            step(cloth, how, memory);
+            INFO(to_string(method) << " at " << speed << " m/s");
+            CHECK(!memory.solved);
+        }
+}
+
 TEST_CASE("rows take threads that do not stretch at all", "[idea]")
 {
     for (const ClothMethod method : {ClothMethod::exact, ClothMethod::threads}) {

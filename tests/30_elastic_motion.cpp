@@ -596,6 +596,87 @@ TEST_CASE("a rest is singular where nothing holds the body and it stays where it
     CHECK(tip == Approx(1e-8 * 1000 * 12 / (8 * 1e6 * d * d)).epsilon(5e-3));
 }
 
+TEST_CASE("a body that is too thin for its digits is no rest and has no tones", "[idea]")
+{
+    for (const StrainLaw law : {StrainLaw::linear, StrainLaw::corotational, StrainLaw::neo_hookean})
+        for (const Real d : {1e-2, 1e-3, 3e-4, 1e-4, 3e-5})
+            for (const Real sag : {1e-6, 1e-4}) {
+                ElasticBody<2> body = beam(d, 20, law);
+                add_edge_load(
+                    body, [](const Vec2& p) { return p.x() > 1 - 1e-9; },
+                    Vec2(0, -sag / cantilever_sag(body.model.material(), 1, d, 1) / d));
+                ElasticSolver<2> solver;
+                solver.rest(body);
+                Real tip = 0;
+                for (int i = 0; i < body.model.nodes(); ++i)
+                    if (body.model.mesh().at(i).x() > 1 - 1e-9)
+                        tip = body.model.mesh().at(i).y() - body.at(i).y();
+                const bool is_solved = solver.report.status == Status::solved;
+                INFO("law " << to_string(law) << ", height " << d << ", sag " << sag << ": " << tip);
+                CHECK(is_solved == (d >= 1e-3));
+                // cond K is (L/d)⁴ and more; sixteen digits are there
+                if (is_solved) CHECK(tip == Approx(sag).epsilon(2e-3));
+            }
+    for (const StrainLaw law : {StrainLaw::linear, StrainLaw::corotational, StrainLaw::neo_hookean}) {
+        ElasticBody<2> loose(rectangle_mesh({0, 0}, {1, 0.5}, 7, 3), {.law = law});
+        ElasticSolver<2> solver;
+        solver.rest(loose);
+        CHECK(solver.report.status == Status::solved);  // nothing pulls at it
+        CHECK(loose.x == loose.model.mesh().rest);
+    }
+    for (const StrainLaw law : {StrainLaw::linear, StrainLaw::corotational, StrainLaw::neo_hookean})
+        for (const Real end : {0.0, 1e-3}) {  // no load at all: as it lies, and with its held end moved
+            ElasticBody<2> body = beam(1e-2, 20, law);
+            for (Index i = 0; i < body.x.size(); i += 2)
+                if (body.fixed[static_cast<std::size_t>(i)]) body.x[i] += end;
+            ElasticSolver<2> solver;
+            for (int again = 0; again < 2; ++again) {
+                solver.rest(body);
+                CHECK(solver.report.status == Status::solved);
+                CHECK((body.x - body.model.mesh().rest).cwiseAbs().maxCoeff() == Approx(end).margin(1e-9));
+            }
+        }
+    for (const bool is_held : {true, false})
+        for (const Real d : {1e-3, 1e-4, 3e-5}) {
+            const Vibration<2> found =
+                vibrations_of(beam(d, 20, StrainLaw::linear, is_held), is_held ? 1 : 4);
+            CHECK((found.status == Status::solved) == (d == 1e-3));
+            if (d == 1e-3)
+                CHECK(found.omega[is_held ? 0 : 3] ==
+                      Approx(beam_omega(is_held ? 1.875104068711961 : 4.730040744862704, d)).epsilon(5e-3));
+        }
+}
+
+TEST_CASE("fixed freedoms leave as many rigid motions as they cannot hold", "[house]")
+{
+    ElasticBody<1> bar(bar_mesh(1, 3), {});
+    CHECK(rigid_motions(bar) == 1);
+    bar.hold(2);
+    CHECK(rigid_motions(bar) == 0);
+    ElasticBody<2> sheet(rectangle_mesh({5, 1}, {1, 0.2}, 10, 2), {});
+    CHECK(rigid_motions(sheet) == 3);
+    sheet.fixed[2 * 3 + 1] = 1;
+    CHECK(rigid_motions(sheet) == 2);
+    sheet.fixed[2 * 7 + 1] = 1;  // a rail along x
+    CHECK(rigid_motions(sheet) == 1);
+    sheet.fixed[2 * 5 + 1] = 1;
+    CHECK(rigid_motions(sheet) == 1);
+    sheet.hold(3);
+    CHECK(rigid_motions(sheet) == 0);
+    ElasticBody<2> two(joined(sheet.model.mesh(), rectangle_mesh({0, 5}, {1, 1}, 2, 2)), {});
+    CHECK(rigid_motions(two) == 6);
+    two.hold(0);
+    CHECK(rigid_motions(two) == 4);
+    ElasticBody<3> block(block_mesh({1, 2, 3}, {2, 1, 1}, 2, 1, 1), {});
+    CHECK(rigid_motions(block) == 6);
+    block.hold(0);
+    CHECK(rigid_motions(block) == 3);
+    block.hold(2), block.hold(1);  // three in a line: it turns about that
+    CHECK(rigid_motions(block) == 1);
+    block.hold(3);
+    CHECK(rigid_motions(block) == 0);
+}
+
 TEST_CASE("bad steps and states are refused and change nothing", "[house]")
 {
     ElasticBody<2> body = thrown(StrainLaw::corotational);

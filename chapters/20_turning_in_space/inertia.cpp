@@ -70,14 +70,16 @@ static void require_closed(const Hull& hull)
             shortest(sum.norm() / 2) + " m², along one direction");
 }
 
-/// Whether the origin is so far away that (20.15) cancels: a thousand sizes leave seven
-/// digits of the inertia.
-static bool is_far(const Hull& hull)
+/// Whether the origin is so far away that (20.15) cancels: at the distance d its terms
+/// have the roundings of d⁵, and their sum is like V s² of a solid of the size s. A
+/// billion times that leaves seven digits.
+static bool is_far(const Hull& hull, Real volume)
 {
     const Vec3& first = hull.vertices[0];
     Real size = 0;
     for (const Vec3& p : hull.vertices) size = std::max(size, (p - first).norm());
-    return first.norm() > 1000 * size;
+    const Real d = first.norm(), times = d / size;
+    return times * times * d * d * d > 1e9 * volume;
 }
 
 //! [mass]
@@ -103,14 +105,14 @@ SolidMass mass_of(const Hull& hull, Real density)
                    "0 for its mass to be known");
         require_vertices(hull);
         require_closed(hull);
-        if (is_far(hull)) {  // its moments are taken from a corner
+        const Moments all = moments_of(hull);
+        if (is_far(hull, all.volume)) {  // its moments are taken from a corner
             Hull near = hull;
             for (Vec3& p : near.vertices) p -= hull.vertices[0];
             SolidMass moved = mass_of(near, density);
             moved.centroid += hull.vertices[0];
             return moved;
         }
-        const Moments all = moments_of(hull);
         solid.mass = all.volume;
         solid.centroid = all.first / all.volume;
         solid.inertia = inertia_of(all.second - all.volume * solid.centroid *

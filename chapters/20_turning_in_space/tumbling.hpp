@@ -61,7 +61,7 @@ inline Vec3 implicit_spin(const Vec3& inertia, const Vec3& omega, Real h)
 /// (20.8): the turn hξ of one step, from the angular momentum at its beginning, by
 /// Newton's method (20.23). Where the body turns by radians in a step and Newton's
 /// method finds no root in eight rounds, the turn is another one, and may be many
-/// times as long; L is kept all the same.
+/// times as long, but it is a number; L is kept all the same.
 inline Vec3 turn_through_the_middle(const Vec3& inertia, const Vec3& omega, Real h)
 {
     const Vec3 L = inertia.cwiseProduct(omega);
@@ -75,6 +75,7 @@ inline Vec3 turn_through_the_middle(const Vec3& inertia, const Vec3& omega, Real
         const Mat3 J = I - h / 2 * cross_matrix(middle) *
                                (Mat3::Identity() - H / 2 + H * H / 6);
         const Vec3 change = solve3(J, inertia.cwiseProduct(xi) - middle);
+        if (!std::isfinite((xi - change).squaredNorm())) break;  // J is singular
         xi -= change;
         if (!(change.squaredNorm() > 1e-30 * xi.squaredNorm())) break;
     }

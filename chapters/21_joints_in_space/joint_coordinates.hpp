@@ -87,6 +87,18 @@ inline Constraint<6> coordinate_of(const JointFrames& f, const SpaceJoint& joint
 /// The rows of a joint are numbered: two for each coordinate, the motor's last.
 inline constexpr int motor_slot = 2 * coordinates, joint_slots = motor_slot + 1;
 
+//! [limited]
+/// The value of a coordinate as its limits count it. A twist is an angle but for
+/// whole turns: of all that it may be, that nearest to the middle of both limits.
+inline Real limited_value(const SpaceJoint& joint, int which, Real value)
+{
+    const auto i = static_cast<std::size_t>(which);
+    const Real middle = (joint.lo[i] + joint.hi[i]) / 2;
+    if (which != twist || !std::isfinite(middle)) return value;
+    return value + 2 * pi * std::round((middle - value) / (2 * pi));
+}
+//! [limited]
+
 //! [slot]
 /// The constraint of one slot of a joint: locked or kept above its least value (2c),
 /// kept below its greatest (2c + 1), or driven.
@@ -99,7 +111,10 @@ inline Constraint<6> joint_constraint(const JointFrames& f, const SpaceJoint& jo
     if (slot == motor_slot) {
         c.kind = ConstraintKind::motor;
         c.speed = joint.speed, c.force = joint.force;
-    } else if (slot % 2 == 0) {
+        return c;
+    }
+    c.C = limited_value(joint, which, c.C);
+    if (slot % 2 == 0) {
         c.C -= joint.lo[i];
         c.kind = joint.locked(which) ? ConstraintKind::bilateral
                                      : ConstraintKind::unilateral;
@@ -122,8 +137,8 @@ void for_each_slot(const JointFrames& f, const SpaceJoint& joint,
                    hi = joint.hi[static_cast<std::size_t>(c)];
         if (joint.locked(c)) visit(2 * c);
         else if (std::isfinite(lo) || std::isfinite(hi)) {
-            const Real value =
-                coordinate_of(f, joint, static_cast<Coordinate>(c)).C;
+            const Real value = limited_value(
+                joint, c, coordinate_of(f, joint, static_cast<Coordinate>(c)).C);
             visit(value - lo < hi - value ? 2 * c : 2 * c + 1);
         }
     }

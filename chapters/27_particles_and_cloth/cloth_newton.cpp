@@ -145,7 +145,7 @@ void ClothNewton::linear(const ClothScene& cloth, const VecX& x0, const VecX& y,
         direction_ = scaled_ + (next / rho) * direction_;
         rho = next;
     }
-    steps = 1, solved = rho <= enough;
+    steps = 1, solved = rho <= enough && rho < infinity;
     x = x0 + trial_;
 }
 //! [linear]

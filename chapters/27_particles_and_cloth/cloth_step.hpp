@@ -77,8 +77,8 @@ struct ClothMemory {
     std::int64_t solves = 0;  ///< linear systems
     int torn = 0;
     std::int64_t drawn = 0;  ///< springs that were beyond their limit, pass by pass
-    /// false: an iteration of the last step met its limit first, or what the cloth
-    /// touches was beyond reach
+    /// false: an iteration of the last step met its limit first, what the cloth touches
+    /// was beyond reach, or it has flown beyond all numbers
     bool solved = true;
 
     // The parts of step(), in this order.
@@ -183,6 +183,7 @@ void step(Scene& cloth, const ClothSettings& settings, ClothMemory& now,
             touch.prepare(cloth, middle);
         }
     }
+    now.solved = now.solved && x.allFinite() && cloth.bodies.u.allFinite();
 }
 //! [step]
 

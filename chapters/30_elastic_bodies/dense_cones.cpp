@@ -248,12 +248,11 @@ void DenseCones::solve_guess(Real enough)
 
 bool DenseCones::guess_on(Real enough)
 {
-    Real first = infinity;
     for (int n = 0; n < guesses; ++n) {
         velocities();
+        // a guess may be far worse than a start that was nearly an answer
         const Real off = choose_cases(view(), n == 0 ? -1 : enough, g_);
-        if (n == 0) first = off;
-        if (!(off <= 1e3 * first)) break;  // what contradicts itself runs away
+        if (!(off < infinity)) break;
         ++guessed;
         solve_guess(enough);
         if (accept(enough)) return true;

@@ -2,6 +2,9 @@
 
 #include "common/bodies.hpp"
 
+#include <Eigen/LU>
+#include <numeric>
+
 namespace rigid {
 
 template <int Dim>
@@ -64,6 +67,56 @@ Real ElasticBody<Dim>::potential_energy() const
         for (int c = 0; c < Dim; ++c)
             sum -= model.mass_at(i) * gravity[c] * x[Dim * i + c];
     return sum;
+}
+
+template <int Dim>
+int rigid_motions(const ElasticBody<Dim>& body)
+{
+    constexpr int turns = pairs_of(Dim), all = Dim + turns;
+    const ElasticMesh<Dim>& mesh = body.model.mesh();
+    // which piece a node belongs to: the least of its nodes
+    std::vector<int> piece(static_cast<std::size_t>(mesh.nodes()));
+    std::iota(piece.begin(), piece.end(), 0);
+    const auto first_of = [&piece](int node) {
+        while (piece[static_cast<std::size_t>(node)] != node)
+            node = piece[static_cast<std::size_t>(node)];
+        return node;
+    };
+    for (int e = 0; e < mesh.count(); ++e)
+        for (int i = 1; i < mesh.per_element(); ++i) {
+            const int a = first_of(mesh.node(e, 0)), b = first_of(mesh.node(e, i));
+            piece[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+        }
+    int free = 0;
+    for (int first = 0; first < mesh.nodes(); ++first) {
+        if (first_of(first) != first) continue;
+        Vec<Dim> middle = Vec<Dim>::Zero();
+        std::vector<int> nodes;
+        for (int i = first; i < mesh.nodes(); ++i)
+            if (first_of(i) == first) nodes.push_back(i), middle += mesh.at(i);
+        middle /= static_cast<Real>(nodes.size());
+        Real reach = 0;
+        for (const int i : nodes)
+            reach = std::max(reach, (mesh.at(i) - middle).norm());
+        // what the fixed freedoms have of each motion
+        MatX held = MatX::Zero(Dim * static_cast<Index>(nodes.size()), all);
+        for (std::size_t n = 0; n < nodes.size(); ++n)
+            for (int c = 0; c < Dim; ++c) {
+                if (!body.fixed[static_cast<std::size_t>(Dim * nodes[n] + c)])
+                    continue;
+                const auto row = static_cast<Index>(n) * Dim + c;
+                held(row, c) = 1;
+                const Vec<Dim> arm = (mesh.at(nodes[n]) - middle) / reach;
+                int turn = Dim;
+                for (int j = 0; j < Dim; ++j)
+                    for (int i = 0; i < j; ++i, ++turn)
+                        held(row, turn) = c == i ? -arm[j] : c == j ? arm[i] : 0;
+            }
+        Eigen::FullPivLU<MatX> rank(held);
+        rank.setThreshold(1e-9);
+        free += all - static_cast<int>(rank.rank());
+    }
+    return free;
 }
 
 template <int Dim>
@@ -202,6 +255,7 @@ bool ElasticSolver<Dim>::prepare(const ElasticBody<Dim>& body)
 {
     const bool is_direct = settings.solve == LinearSolve::direct;
     is_fresh_ = !(is_direct && has_kept(body));
+    if (is_fresh_) is_soft_ = false;
     if (!is_fresh_) return true;
     kept_.has = renew_ = false;
     const auto is_factored = [&](bool projected) {
@@ -224,6 +278,7 @@ bool ElasticSolver<Dim>::soften(const ElasticBody<Dim>& body)
 {
     const ElasticModel<Dim>& model = body.model;
     if (tau_ > 0 || model.material().law == StrainLaw::linear) return false;
+    is_soft_ = true;
     for (Real share = 1e-3; share < 10; share *= 10) {
         for (int i = 0; i < model.nodes(); ++i)
             for (int c = 0; c < Dim; ++c)
@@ -282,8 +337,9 @@ void ElasticSolver<Dim>::minimise(ElasticBody<Dim>& body)
     Real enough = settings.tolerance;
     if (tau_ == 0)
         enough = std::min(enough, std::max(report.residual / 1000, noise_));
+    const Real nothing = tau_ > 0 || f_.isZero(0) ? 1e-15 : 0;
     while (report.residual > enough ||
-           (report.iterations == 0 && report.residual > 1e-15)) {
+           (report.iterations == 0 && report.residual > nothing)) {
         if (report.iterations == settings.most) return;
         ++report.iterations;
         if (!direction(body)) {
@@ -302,10 +358,37 @@ void ElasticSolver<Dim>::minimise(ElasticBody<Dim>& body)
         }
         judge(last, report.residual, settings.tolerance);
     }
-    report.status =
-        std::isfinite(report.residual) ? Status::solved : Status::iteration_limit;
+    report.status = std::isfinite(report.residual) && is_known(body)
+                        ? Status::solved
+                        : Status::iteration_limit;
 }
 //! [minimise]
+
+template <int Dim>
+bool ElasticSolver<Dim>::is_known(const ElasticBody<Dim>& body)
+{
+    if (tau_ > 0 || report.iterations == 0) return true;
+    renew_ = is_slow_ = true;  // K here, as it is: that of a bent shape is stiffer
+    if (!prepare(body) || (is_soft_ && rigid_motions(body) == 0)) return false;
+    const auto way_of = [this](const VecX& pull) {
+        change_ = pull;
+        if (settings.solve == LinearSolve::direct) factor.solve(change_);
+        else cg_.solve(H_, pull, change_);
+        return change_.cwiseAbs().maxCoeff();
+    };
+    const Real missed = way_of(r);
+    Real way = (body.x - x0_).cwiseAbs().maxCoeff();
+    for (Index i = 0; i < f_.size(); ++i)
+        if (body.fixed[static_cast<std::size_t>(i)]) f_[i] = 0;
+    if (f_.isZero(0)) {
+        // held nodes were moved, this time or before, or nothing was
+        way = (body.x - body.model.mesh().rest).cwiseAbs().maxCoeff();
+        return missed <=
+               std::max(0.002 * way, settings.tolerance * body.model.edge());
+    }
+    if (missed > 0.002 * way) way = std::max(way, way_of(f_));
+    return missed <= 0.002 * way;
+}
 
 //! [step]
 template <int Dim>
@@ -367,6 +450,9 @@ std::size_t ElasticSolver<Dim>::bytes() const
 template struct ElasticBody<1>;
 template struct ElasticBody<2>;
 template struct ElasticBody<3>;
+template int rigid_motions(const ElasticBody<1>&);
+template int rigid_motions(const ElasticBody<2>&);
+template int rigid_motions(const ElasticBody<3>&);
 template void require_valid(const ElasticBody<1>&, const NewtonOnEnergy&);
 template void require_valid(const ElasticBody<2>&, const NewtonOnEnergy&);
 template void require_valid(const ElasticBody<3>&, const NewtonOnEnergy&);

@@ -69,6 +69,11 @@ struct NewtonOnEnergy {
 template <int Dim>
 void require_valid(const ElasticBody<Dim>& body, const NewtonOnEnergy& settings);
 
+/// How many ways to move without a strain the fixed freedoms leave to the pieces of a body
+/// where it is at rest: 3 of a free one in the plane, 6 in space, 1 of a bar.
+template <int Dim>
+int rigid_motions(const ElasticBody<Dim>& body);
+
 /// How well a step or a rest was found.
 struct NewtonReport {
     Status status = Status::iteration_limit;
@@ -90,7 +95,8 @@ public:
 
     /// To where forces and loads balance; fixed freedoms stay where they are. `singular`,
     /// and it stays where it is, if nothing holds it: loads pull along an axis along which
-    /// no node is fixed, or a linear body can turn.
+    /// no node is fixed, or a linear body can turn. `iteration limit` as well where what
+    /// rounding leaves of the forces moves it by more than 1/500 of what its loads do.
     void rest(ElasticBody<Dim>& body);
 
     // The pieces of a step, for one that has contacts as well (elastic_contact.hpp).
@@ -123,6 +129,9 @@ private:
     void minimise(ElasticBody<Dim>& body);
     bool direction(ElasticBody<Dim>& body);
     bool is_loose(const ElasticBody<Dim>& body) const;
+    /// At rest: whether the forces that are left, of rounding at best, move the body by at
+    /// most 1/500 of what its loads do. Those of a slender one may do more.
+    bool is_known(const ElasticBody<Dim>& body);
     void assemble(const ElasticBody<Dim>& body, bool projected);
     /// At rest, of a shape whose projected K has no inverse (inverted elements): a
     /// spring at every node, as weak as will do.
@@ -139,6 +148,7 @@ private:
     bool damped_ = false, renew_ = false;
     bool is_fresh_ = false;  ///< whether this iteration made its factor
     bool is_slow_ = false;   ///< whether one of this step's was too slow
+    bool is_soft_ = false;   ///< whether its matrix is that of soften()
     BlockPattern analysed_;  ///< what the factor's order is of
     /// What the factor at hand is of, if it may be kept.
     struct {

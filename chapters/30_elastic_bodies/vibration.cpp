@@ -109,6 +109,7 @@ Vibration<Dim> vibrations_of(const ElasticBody<Dim>& body, int count,
                 body.fixed[static_cast<std::size_t>(i)] ? 0 : random.uniform(-1, 1);
     MatX A(p, p), B(p, p), turn;
     VecX x, product, squares;
+    const Index rigid = rigid_motions(body);
     const auto clear_fixed = [&body](VecX& v) {
         for (Index i = 0; i < v.size(); ++i)
             if (body.fixed[static_cast<std::size_t>(i)]) v[i] = 0;
@@ -167,7 +168,11 @@ Vibration<Dim> vibrations_of(const ElasticBody<Dim>& body, int count,
             is_solved =
                 is_solved && missed <= std::max(tolerance * scale, rounding);
         }
-        if (is_solved) out.status = Status::solved;
+        if (is_solved) {
+            // rounding may leave more of K than a slender body has of it
+            if (rigid < count && !(rounding <= squares[rigid])) break;
+            out.status = Status::solved;
+        }
         // Of ω² below the shift all look alike: it goes below them, as far as K + σM
         // stays definite in spite of rounding.
         else if (shift > std::max(squares[count - 1], 1000 * rounding)) {

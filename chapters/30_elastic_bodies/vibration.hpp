@@ -25,7 +25,8 @@ struct Vibration {
 
 /// The `count` slowest vibrations of a body about its rest shape; fixed freedoms stay.
 /// \param tolerance  of the residual; solved as well where ‖K φ − ω² M φ‖ / ‖M φ‖ is 2⁻⁵²
-///        of the largest ω² of the mesh: rounding leaves no less
+///        of the largest ω² of the mesh: rounding leaves no less. Where that is more than the
+///        least ω² that is not zero, rounding hides it: `iteration limit`
 /// \throws std::invalid_argument  for a body that is not valid, and for a count that is not
 ///         from 1 to the number of free freedoms
 template <int Dim>

@@ -19,8 +19,9 @@
 /// overlap, gap, crept, sunk and gained are measured by one function for all engines, on poses in doubles. Each by its own
 /// defaults, sleep included; WHO/4 has four sub-steps, which are the default of box2d3. A world that is at rest asleep moves
 /// no more: that is what sleep is. Where `unsettled` says so, each body begins up to 0.1 mm (of 1 m) beside its place, so
-/// that no engine is at rest to the last bit from the beginning. Before it is measured each engine makes one step of a world of
-/// its own like it: what is measured finds its code and its memory there.
+/// that no engine is at rest to the last bit from the beginning. What is measured are engines, and not how a system hands out
+/// its pages: before it is measured each engine makes one step of a world of its own like it, and the memory stays with the
+/// process.
 
 #include "chapters/19_engine/benchmark/kept_scenes.hpp"
 #include "chapters/19_engine/benchmark/world_judge.hpp"
@@ -41,6 +42,10 @@
 #include <chrono>
 #include <functional>
 #include <string>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 using namespace rigid;
 
@@ -309,6 +314,10 @@ void cost_of(benchmark::State& state, int bodies, int rolling)
 }
 
 const bool registered = [] {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most that it takes
+    mallopt(M_TRIM_THRESHOLD, 1 << 30);
+#endif
     const auto number = [](auto n) { return std::to_string(n); };
     for (const int base : {10, 20, 40, 100})
         measure({"pyramid_" + number(base),

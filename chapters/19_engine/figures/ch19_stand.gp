@@ -12,7 +12,7 @@ set tics nomirror textcolor rgb '#808080'
 set key top horizontal outside center textcolor rgb '#808080' samplen 1
 set logscale xy
 set format y '10^{%T}'
-set xrange [0.2:700]; set yrange [4e-16:3]
+set xrange [0.1:700]; set yrange [4e-16:3]
 set ytics 1e-15,1000,1; set mytics 1
 set xlabel 'time of four seconds [ms]' textcolor rgb '#808080'
 set ylabel 'moved [m]' textcolor rgb '#808080'
