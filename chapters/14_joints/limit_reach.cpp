@@ -3,6 +3,8 @@
 
 #include "chapters/14_joints/limit_reach.hpp"
 
+#include "chapters/13_friction/friction_rows.hpp"
+
 namespace rigid {
 
 void LimitReach::look(const JointedScene& scene, const StepSettings& settings,
