@@ -1,6 +1,7 @@
 #include "chapters/30_elastic_bodies/elastic_solver.hpp"
 
 #include "common/bodies.hpp"
+#include "common/union_find.hpp"
 
 #include <Eigen/LU>
 #include <numeric>
@@ -74,26 +75,20 @@ int rigid_motions(const ElasticBody<Dim>& body)
 {
     constexpr int turns = pairs_of(Dim), all = Dim + turns;
     const ElasticMesh<Dim>& mesh = body.model.mesh();
-    // which piece a node belongs to: the least of its nodes
+    // of each node another one of its piece, in the end the first
     std::vector<int> piece(static_cast<std::size_t>(mesh.nodes()));
     std::iota(piece.begin(), piece.end(), 0);
-    const auto first_of = [&piece](int node) {
-        while (piece[static_cast<std::size_t>(node)] != node)
-            node = piece[static_cast<std::size_t>(node)];
-        return node;
-    };
     for (int e = 0; e < mesh.count(); ++e)
-        for (int i = 1; i < mesh.per_element(); ++i) {
-            const int a = first_of(mesh.node(e, 0)), b = first_of(mesh.node(e, i));
-            piece[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-        }
+        for (int i = 1; i < mesh.per_element(); ++i)
+            unite(piece, mesh.node(e, 0), mesh.node(e, i));
     int free = 0;
     for (int first = 0; first < mesh.nodes(); ++first) {
-        if (first_of(first) != first) continue;
+        if (lowest_of(piece, first) != first) continue;
         Vec<Dim> middle = Vec<Dim>::Zero();
         std::vector<int> nodes;
         for (int i = first; i < mesh.nodes(); ++i)
-            if (first_of(i) == first) nodes.push_back(i), middle += mesh.at(i);
+            if (lowest_of(piece, i) == first)
+                nodes.push_back(i), middle += mesh.at(i);
         middle /= static_cast<Real>(nodes.size());
         Real reach = 0;
         for (const int i : nodes)
