@@ -21,7 +21,7 @@ enum Coordinate : int {
     swing_y,  ///< 2 q_y, for small angles the angle about y
     swing_z,  ///< 2 q_z
     cone,     ///< the angle between both x axes [rad]
-    pins,     ///< z_A · y_B, the sine of the angle between them less 90°
+    pins,     ///< z_A · y_B, the sine of 90° less the angle between them
     coordinates
 };
 

@@ -1,7 +1,7 @@
 /// \file solid_touch.hpp
 /// Where two convex solids touch: one function for balls, capsules, boxes and all other hulls.
 ///
-///     1  the best face of either, and the best direction across two edges, (22.3); farther apart than the reach: none
+///     1  the best face of either, and the best direction across two edges, (22.4); farther apart than the reach: none
 ///     2  cores apart: their nearest points, (22.1)
 ///     3  n: the normal of the face, unless 1 or 2 has a direction that parts them by more than `slack` more
 ///     4  on a face: clip the other's face over it, (23.1); along two edges that are parallel: clip these

@@ -1,7 +1,7 @@
 /// \file ellipsoid.hpp
 /// Where a smooth solid touches a wall: its lowest point, which wanders over it as it rolls.
 ///
-///     r(n) = c − S Sᵀ n / ‖Sᵀ n‖                                                                            (24.11)
+///     r(n) = a − S Sᵀ n / ‖Sᵀ n‖                                                                            (24.11)
 #pragma once
 
 #include "chapters/23_faces_that_touch/space_contact.hpp"

@@ -1,5 +1,5 @@
 /// \file grip.hpp
-/// What two surfaces hold each other with, from what each is like: μ by (13.2), of two arms the longer one, as in
+/// What two surfaces hold each other with, from what each is like: μ = √(μ_a μ_b), of two arms the longer one, as in
 /// chapter 13. Arms are the bodies' alone: a wall has none.
 #pragma once
 

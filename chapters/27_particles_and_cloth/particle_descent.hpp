@@ -7,7 +7,7 @@
 ///
 /// Augmented \cite giles2025: a spring of the sweep has F = λ + s C in place of k C, and after each sweep
 ///
-///     λ ← F  if it is hard,   s ← min(k, s + β ‖C‖)                                                     (27.28)
+///     λ ← F  if it is hard,   s ← min(k, s + β (m/h²) |C|/L)                                            (27.28)
 ///
 /// so the springs are soft first and grow to their own stiffness; a hard one is held by its λ.
 #pragma once

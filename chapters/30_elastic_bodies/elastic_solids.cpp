@@ -192,7 +192,7 @@ void ElasticSolids::find_rows(const ElasticSpace& scene, Real h)
 }
 
 //! [rows]
-/// (30.19) and chapter 25: λ of all rows at the velocities v and u.
+/// (30.19) and chapter 24: λ of all rows at the velocities v and u.
 void ElasticSolids::solve_rows(const VecX& v, const VecX& u, bool same)
 {
     const std::size_t m = rows.size();
