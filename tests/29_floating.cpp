@@ -314,6 +314,33 @@ TEST_CASE("the box with the metacentre below its centre capsizes and the other o
     }
 }
 
+TEST_CASE("a box that capsizes finds its rest at the lean (29.18a)", "[idea]")
+{
+    for (const Real ratio : {1.1, 1.2}) {
+        const Real GM = box_metacentric_height(ratio, 1, 0.5), BM = ratio * ratio / (12 * 0.5);
+        const Real lean = rigid::atan(std::sqrt(-2 * GM / BM));
+        for (const Real beside : {-0.15, 0.0, 0.15}) {
+            WaterScene all = pond(320, 8, 1);
+            Floating floating;
+            floating.settings = {0, 0, 0};
+            add_floating_box(all, 0.01, 0.5, ratio, 0.5, lean + beside);
+            floating.displace(all.scene, all.water);
+            Real least = 10, most = 0;
+            for (int n = 0; n < 1920; ++n) {
+                floating.find(all.scene, all.water);
+                floating.push(all.scene, all.water, 1.0 / 960);
+                fall(all.scene, 1.0 / 960);
+                carry_water(all.water, 1.0 / 960);
+                least = std::min(least, all.scene.bodies.x[2]);
+                most = std::max(most, all.scene.bodies.x[2]);
+            }
+            INFO(ratio << ", from " << lean << " + " << beside << ": " << least << " to " << most);
+            if (beside == 0) CHECK(most - least < 1e-9);
+            else CHECK((least < lean - 0.03 && most > lean + 0.03));  // it swings about it
+        }
+    }
+}
+
 TEST_CASE("a boat that is tilted and let go on still water rolls less and less and never turns over",
           "[idea]")
 {
@@ -447,6 +474,72 @@ TEST_CASE("drag brakes a body against the water and never turns it round", "[ide
             before = now;
         }
         CHECK(before < 2.5);
+    }
+}
+
+TEST_CASE("drag however long the step takes energy from bodies and water and gives them none", "[idea]")
+{
+    Random random(29);
+    for (int run = 0; run < 400; ++run) {
+        WaterScene all = pond(24, 6, 1);
+        all.scene.gravity = {0, 0};
+        all.water.g = 1e-300;  // drag alone
+        for (Index i = 0; i < 24; ++i) all.water.depth[i] = i % 7 == run % 7 ? 0 : random.uniform(0.01, 2);
+        level_water(all.water);
+        for (Index f = 1; f < 24; ++f) all.water.u[f] = random.uniform(-5, 5);
+        for (int k = 0; k < 3; ++k) {
+            const Real x = random.uniform(-3.5, 3.5), y = random.uniform(0, 1.5);  // in a wall, too
+            const Real width = random.uniform(0.05, 2), height = random.uniform(0.05, 2);
+            const Index b = add_body(all.scene, box(width, height), random.uniform(1, 1000), {x, y});
+            const Real u = random.uniform(-5, 5), v = random.uniform(-5, 5), spin = random.uniform(-20, 20);
+            all.scene.bodies.velocity(b) = Vec<3>(u, v, spin);
+        }
+        Floating floating;
+        floating.settings.drag = random.uniform(0, 100);
+        floating.settings.friction = random.uniform(0, 100);
+        const auto energy = [&] {
+            Real sum = 0;
+            for (Index k = 0; k < 3; ++k)
+                for (Index i = 0; i < 3; ++i)
+                    sum += 0.5 * all.scene.bodies.velocity(k)[i] * all.scene.bodies.velocity(k)[i] /
+                           all.scene.bodies.inverse_mass[3 * k + i];
+            for (Index f = 1; f < 24; ++f)
+                sum += 0.25 * all.water.density * all.water.dx * (all.water.depth[f - 1] + all.water.depth[f]) *
+                       all.water.u[f] * all.water.u[f];
+            return sum;
+        };
+        floating.find(all.scene, all.water);
+        const Real before = energy();
+        floating.push(all.scene, all.water, rigid::pow(10.0, random.uniform(-3, 3)));
+        INFO("run " << run);
+        CHECK(energy() <= before * (1 + 1e-13));  // sums of thirty terms, twice
+        if (!floating.edges.empty() && floating.settings.friction > 1) CHECK(energy() < before * (1 - 1e-9));
+    }
+}
+
+TEST_CASE("drag in a mirror is drag mirrored", "[idea]")
+{
+    // a pond with two boxes, one turned and in the other's water; on the other side of x = 0 the same
+    WaterScene all = pond(32, 8, 1), mirrored = pond(32, 8, 1);
+    for (WaterScene* one : {&all, &mirrored}) {
+        const Real side = one == &all ? 1 : -1;
+        one->scene.gravity = {0, 0};
+        for (const Real x : {0.4, 0.9}) {
+            const Index b = add_body(one->scene, box(1, 0.5), 500, {side * x, 0.8});
+            one->scene.bodies.position(b)[2] = side * x;
+            one->scene.bodies.velocity(b) = Vec<3>(side * 3, -1, side * 4);
+        }
+    }
+    Floating floating, beside;
+    floating.settings.friction = beside.settings.friction = 1;
+    floating.find(all.scene, all.water);
+    beside.find(mirrored.scene, mirrored.water);
+    floating.push(all.scene, all.water, 0.1);  // a long step: each edge feels what the others take
+    beside.push(mirrored.scene, mirrored.water, 0.1);
+    for (Index k = 0; k < 2; ++k) {
+        const Vec<3> u = all.scene.bodies.velocity(k), v = mirrored.scene.bodies.velocity(k);
+        CHECK((u - Vec<3>(-v[0], v[1], -v[2])).norm() < 1e-13);  // sums of some twenty edges
+        CHECK((u - Vec<3>(3, -1, 4)).norm() > 0.1);
     }
 }
 

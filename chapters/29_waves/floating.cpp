@@ -164,6 +164,7 @@ void Floating::find_edges(const RigidScene& scene, const ShallowWater& water)
 {
     edges.clear();
     wet_length_.setZero(scene.bodies.count());
+    wet_in_cell_.setZero(water.cells());
     const Real end = water.origin + water.dx * static_cast<Real>(water.cells());
     for (Index k = 0; k < scene.bodies.count(); ++k) {
         const std::vector<Vec2>& outline = placed_[static_cast<std::size_t>(k)];
@@ -192,6 +193,7 @@ void Floating::find_edges(const RigidScene& scene, const ShallowWater& water)
                 edges.push_back({k, cell, a + (from + to) / 2 * d,
                                  -perpendicular(d) / d.norm(), length});
                 wet_length_[k] += length;
+                wet_in_cell_[cell] += length;
             }
         }
     }
@@ -216,35 +218,46 @@ void Floating::push_bodies(RigidScene& scene, const ShallowWater& water,
 //! [push_bodies]
 
 //! [drag]
-void Floating::drag(RigidScene& scene, ShallowWater& water, Real h) const
+/// What the water gives to a body at one edge, (29.25): drag across it, friction
+/// along it.
+Vec2 Floating::drag_on(const WetEdge& edge, const Bodies<3>& bodies,
+                       const ShallowWater& water, Real h) const
 {
-    for (const WetEdge& edge : edges) {
-        const Index l = edge.cell, r = l + 1;
-        const Real cell_mass = water.density * water.depth[l] * water.dx;
-        if (!(cell_mass > 0)) continue;
-        const Vec2 flow((water.u[l] + water.u[r]) / 2, 0);
-        const Vec2 v = velocity_at(scene.bodies, edge.body, edge.middle) - flow;
-        const Vec2 along = perpendicular(edge.normal);
-        const Real vn = std::max(v.dot(edge.normal), 0.0), vt = v.dot(along);
-        // as long as a step may be: no drag turns the motion round that it brakes
-        const Real light =
-            scene.bodies.inverse_mass[3 * edge.body] * wet_length_[edge.body] +
-            edge.length / cell_mass;
-        const auto braked = [&](Real coefficient, Real speed) {
-            const Real k = water.density / 2 * coefficient * std::abs(speed);
-            return h * k * speed * edge.length / (1 + h * k * light);
-        };
-        const Vec2 J = -braked(settings.drag, vn) * edge.normal -
-                       braked(settings.friction, vt) * along;
-        push_at(scene.bodies, edge.body, edge.middle, J);
-        // the water gets the opposite, half at each face that is open
-        const bool at_left = is_open(water, l), at_right = is_open(water, r);
-        const Real each = -J.x() / (at_left && at_right ? 2 : 1);
+    const Index b = edge.body, cell = edge.cell;
+    const Real cell_mass = water.density * water.depth[cell] * water.dx;
+    if (!(cell_mass > 0)) return {0, 0};
+    const Vec2 flow((water.u[cell] + water.u[cell + 1]) / 2, 0);
+    const Vec2 v = velocity_at(bodies, b, edge.middle) - flow;
+    const Vec2 along = perpendicular(edge.normal);
+    const Vec2 arm = edge.middle - bodies.position(b).head<2>();
+    const Real light = wet_length_[b] * (bodies.inverse_mass[3 * b] +
+                                         bodies.inverse_mass[3 * b + 2] *
+                                             arm.squaredNorm()) +
+                       wet_in_cell_[cell] / cell_mass;
+    const auto braked = [&](Real coefficient, Real speed) {
+        const Real k = water.density / 2 * coefficient * std::abs(speed);
+        return h * k * speed * edge.length / (1 + h * k * light);
+    };
+    const Real vn = std::max(v.dot(edge.normal), 0.0), vt = v.dot(along);
+    return -braked(settings.drag, vn) * edge.normal -
+           braked(settings.friction, vt) * along;
+}
+
+void Floating::drag(RigidScene& scene, ShallowWater& water, Real h)
+{
+    given_.clear();
+    for (const WetEdge& edge : edges)
+        given_.push_back(drag_on(edge, scene.bodies, water, h));
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const Vec2& J = given_[i];
+        push_at(scene.bodies, edges[i].body, edges[i].middle, J);
+        // the water gets the opposite, half at each face of the cell; of one that is
+        // closed the wall takes it
+        const Index l = edges[i].cell, r = l + 1;
         for (const Index f : {l, r})
-            if (f == l ? at_left : at_right)
-                water.u[f] += 2 * each /
-                              (water.density * water.dx *
-                               (water.depth[f - 1] + water.depth[f]));
+            if (is_open(water, f))
+                water.u[f] -= J.x() / (water.density * water.dx *
+                                       (water.depth[f - 1] + water.depth[f]));
     }
 }
 //! [drag]

@@ -66,7 +66,9 @@ private:
     Real solve_levels(ShallowWater& water);
     void place_outlines(const RigidScene& scene);
     void push_bodies(RigidScene& scene, const ShallowWater& water, Real h) const;
-    void drag(RigidScene& scene, ShallowWater& water, Real h) const;
+    void drag(RigidScene& scene, ShallowWater& water, Real h);
+    Vec2 drag_on(const WetEdge& edge, const Bodies<3>& bodies,
+                 const ShallowWater& water, Real h) const;
 
     std::vector<std::vector<Vec2>> own_, placed_;  ///< outlines, of each body
     std::vector<Polygon> made_of_;                 ///< the shapes that `own_` is of
@@ -75,6 +77,8 @@ private:
     VecX under_, width_;  ///< b and its derivative with η, of each cell
     VecX share_;          ///< of the bodies' thickness that is pushed, of each face
     VecX wet_length_;     ///< of each body [m]
+    VecX wet_in_cell_;    ///< of all bodies, in each cell [m]
+    std::vector<Vec2> given_;  ///< by drag, at each edge [N s]
 };
 
 }  // namespace rigid
