@@ -230,10 +230,10 @@ Vec2 Floating::drag_on(const WetEdge& edge, const Bodies<3>& bodies,
     const Vec2 v = velocity_at(bodies, b, edge.middle) - flow;
     const Vec2 along = perpendicular(edge.normal);
     const Vec2 arm = edge.middle - bodies.position(b).head<2>();
-    const Real light = wet_length_[b] * (bodies.inverse_mass[3 * b] +
-                                         bodies.inverse_mass[3 * b + 2] *
-                                             arm.squaredNorm()) +
-                       wet_in_cell_[cell] / cell_mass;
+    const Real light =
+        wet_length_[b] * (bodies.inverse_mass[3 * b] +
+                          bodies.inverse_mass[3 * b + 2] * arm.squaredNorm()) +
+        wet_in_cell_[cell] / cell_mass;
     const auto braked = [&](Real coefficient, Real speed) {
         const Real k = water.density / 2 * coefficient * std::abs(speed);
         return h * k * speed * edge.length / (1 + h * k * light);
