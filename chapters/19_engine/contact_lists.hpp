@@ -101,7 +101,8 @@ inline void list_resting_contacts(const EngineState& state, Index k,
     const Manifolds& stage = state.awake().touching;
     for (const auto* const pairs : {&stage.touching, &stage.resting})
         for (const TouchingPair& pair : *pairs)
-            if (scene.carrier(pair.a) == k || scene.carrier(pair.b) == k)
+            if ((scene.carrier(pair.a) == k || scene.carrier(pair.b) == k) &&
+                state.was_there(pair.a) && state.was_there(pair.b))
                 add_contacts(scene, pair.a, pair.b, pair.manifold, 0, found);
     for (const Contact& c : found.contacts) {
         list.push_back(view_of(state, c, wall_id(state, c)));

@@ -6,12 +6,13 @@
 
 namespace rigid {
 
-/// Whether body k sleeps; neither the world does nor what no step has seen.
+/// Whether body k sleeps; neither the world does nor what no step has seen, also where
+/// another body had its place.
 inline bool is_asleep(const EngineState& state, Index k)
 {
     const AwakeSet& set = state.awake().set;
     return k != world && k < static_cast<Index>(set.activity.size()) &&
-           set.is_asleep(k);
+           set.is_asleep(k) && state.was_there(k);
 }
 
 //! [resting]

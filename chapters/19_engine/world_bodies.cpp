@@ -198,7 +198,8 @@ bool World::is_awake(BodyId body) const
 {
     const auto k = static_cast<std::size_t>(state_->number(body));
     const std::vector<Activity>& activity = state_->awake().set.activity;
-    if (k < activity.size()) return activity[k] == Activity::awake;
+    if (k < activity.size() && state_->was_there(static_cast<Index>(k)))
+        return activity[k] == Activity::awake;
     return state_->scene.bodies.can_move(static_cast<Index>(k));  // not stepped yet
 }
 Vec2 World::point_of(BodyId body, const Vec2& own) const

@@ -21,8 +21,11 @@ inline void wake_under(EngineState& state, Index k)
     const Box box =
         grown(sleepers.touching.placed.boxes[static_cast<std::size_t>(k)],
               state.metres(state.settings.margin));
+    // boxes in the tree are as large as earlier steps have left them, and are not saved
+    const std::vector<Box>& boxes = sleepers.touching.placed.boxes;
     sleepers.touching.finder.tree.overlapping(box, [&](int b) {
-        if (b < static_cast<int>(sleepers.set.activity.size()))
+        if (b < static_cast<int>(sleepers.set.activity.size()) &&
+            overlap(box, boxes[static_cast<std::size_t>(b)]))
             sleepers.set.wake(state.scene.carrier(b));
     });
 }
