@@ -194,6 +194,39 @@ TEST_CASE("the nearest points of two hulls are as far apart as any of their part
     CHECK(apart > 100);
 }
 
+TEST_CASE("the distance of a small solid from a large one is as exact as its corners", "[idea]")
+{
+    Random random(7);
+    for (const Real ratio : {1.0, 100.0, 400.0, 4000.0, 100000.0}) {
+        int apart = 0;
+        Real worst = 0;
+        for (int i = 0; i < 1000; ++i) {
+            const Vec3 sa = any_vector(random, 1).cwiseAbs() + Vec3(0.1, 0.1, 0.1);
+            const Vec3 sb = ratio * (any_vector(random, 1).cwiseAbs() + Vec3(0.1, 0.1, 0.1));
+            const SolidForm fa = form_of(solid_box(sa)), fb = form_of(solid_box(sb));
+            const Vec3 ta = any_vector(random, 3), tb = any_vector(random, 3);
+            // over a point of a face of the large one, or of an edge
+            Vec3 at = 0.5 * any_vector(random, 1).cwiseProduct(sb), out(0, 0, 0);
+            const int axis = i % 3, other = (axis + 1) % 3;
+            at[axis] = 0.5 * sb[axis], out[axis] = 1;
+            if (i % 2 == 0) at[other] = 0.5 * sb[other], out[other] = 1;
+            const Real height = 0.5 * sa.norm() * random.uniform() + 0.1 * random.uniform();
+            const PlacedSolid b = placed(fb, {0, 0, 0}, tb);
+            const PlacedSolid a = placed(fa, rotation_matrix(tb) * (at + height * out.normalized()), ta);
+            if (!(std::max(best_face(a, b, 0).separation, best_across_edges(a, b).separation) >
+                  1e-12 * ratio))
+                continue;
+            ++apart;
+            const Nearest near = nearest_points(a, b);
+            worst = std::max(worst, std::abs(near.distance - distance_by_parts(a, b)));
+            worst = std::max(worst, std::abs((near.on_b - near.on_a).norm() - near.distance));
+        }
+        INFO("ratio " << ratio);
+        CHECK(worst < 1e-15 * ratio);
+        CHECK(apart > 200);
+    }
+}
+
 TEST_CASE("the best axis of two hulls that overlap is the least way that parts them", "[idea]")
 {
     Random random(3);

@@ -31,8 +31,36 @@ struct Simplex {
 };
 
 //! [nearest_of]
-/// (22.2): the point of the simplex that is nearest to the origin, as weights of
-/// its corners. Only those with a weight are kept.
+/// (22.2) of some corners of a simplex: v = y₀ + D t at right angles to D, with
+/// D = Q R by (22.5). \return the weights of the corners; zeros if they lie on one
+/// line or in one plane: a smaller part has that point
+inline std::array<Real, 4> weights_of(const std::array<Vec3, 4>& y, int n, Vec3& v)
+{
+    Mat3 Q = Mat3::Zero(), R = Mat3::Identity();
+    Vec3 t(0, 0, 0);
+    v = y[0];
+    for (int j = 0; j < n - 1; ++j) {
+        Vec3 d = y[static_cast<std::size_t>(j + 1)] - y[0];
+        const Real length = d.norm();
+        for (int i = 0; i < j; ++i) {
+            R(i, j) = Q.col(i).dot(d);
+            d -= R(i, j) * Q.col(i);
+        }
+        R(j, j) = d.norm();
+        if (!(R(j, j) > 1e-12 * length)) return {};
+        Q.col(j) = d / R(j, j);
+        t[j] = -Q.col(j).dot(v);
+        v += t[j] * Q.col(j);
+    }
+    for (int j = 2; j >= 0; --j) {  // R t = −Qᵀ y₀
+        for (int i = j + 1; i < 3; ++i) t[j] -= R(j, i) * t[i];
+        t[j] /= R(j, j);
+    }
+    return {1 - t.sum(), t[0], t[1], t[2]};
+}
+
+/// The point of the simplex that is nearest to the origin, as weights of its
+/// corners. Only those with a weight are kept.
 inline Vec3 nearest_of(Simplex& s)
 {
     Vec3 best(0, 0, 0);
@@ -41,36 +69,19 @@ inline Vec3 nearest_of(Simplex& s)
     // the others were there before the newest corner came
     const unsigned newest = 1u << (s.size - 1);
     for (unsigned part = newest; part < 2 * newest; ++part) {
-        std::array<std::size_t, 4> corner{};
-        int n = 0;
-        for (std::size_t i = 0; i < 4; ++i)
-            if (part & (1u << i)) corner[static_cast<std::size_t>(n++)] = i;
-        // v = y₀ + D t is nearest where Dᵀ v = 0: (Dᵀ D) t = −Dᵀ y₀
-        const Vec3 y0 = s.y[corner[0]];
-        Mat3 D = Mat3::Zero();
-        for (int j = 1; j < n; ++j)
-            D.col(j - 1) = s.y[corner[static_cast<std::size_t>(j)]] - y0;
-        Mat3 G = D.transpose() * D;
-        Real size = 1;
-        for (int j = 0; j < 3; ++j)
-            if (j < n - 1) size *= G(j, j);
-            else G(j, j) = 1;  // a column that is not there: t_j = 0
-        // corners on one line or in one plane: a smaller part has that point
-        if (!(determinant(G) > 1e-14 * size)) continue;
-        const Vec3 t = solve3(G, -(D.transpose() * y0));
-        std::array<Real, 4> weight = {1 - t.sum(), t[0], t[1], t[2]};
-        bool inside = true;
-        for (int j = 0; j < n; ++j)
-            inside = inside && weight[static_cast<std::size_t>(j)] > 0;
-        const Vec3 v = y0 + D * t;
-        if (!inside || !(v.squaredNorm() < least)) continue;
-        least = v.squaredNorm(), best = v;
-        kept.size = n;
-        for (std::size_t j = 0; j < static_cast<std::size_t>(n); ++j) {
-            const std::size_t i = corner[j];
-            kept.y[j] = s.y[i], kept.a[j] = s.a[i], kept.b[j] = s.b[i];
-            kept.weight[j] = weight[j];
+        Simplex some;
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (!(part & (1u << i))) continue;
+            const auto n = static_cast<std::size_t>(some.size++);
+            some.y[n] = s.y[i], some.a[n] = s.a[i], some.b[n] = s.b[i];
         }
+        Vec3 v;
+        some.weight = weights_of(some.y, some.size, v);
+        bool inside = true;
+        for (int j = 0; j < some.size; ++j)
+            inside = inside && some.weight[static_cast<std::size_t>(j)] > 0;
+        if (!inside || !(v.squaredNorm() < least)) continue;
+        least = v.squaredNorm(), best = v, kept = some;
     }
     s = kept;
     return best;
