@@ -375,6 +375,35 @@ TEST_CASE("a contact is with the wall that its step met whatever has come in its
     CHECK(count(deeper) == 0);
 }
 
+TEST_CASE("what is in the place of a body that slept neither sleeps nor touches what that one did", "[house]")
+{
+    for (const Real density : {1.0, 0.0}) {
+        World engine;
+        engine.add_wall({{0, 1}, 0});
+        const BodyId below = engine.add_body(body_at({0, 0.5}, density)),
+                     above = engine.add_body(body_at({0, 1.5}));
+        run(engine, 120);
+        REQUIRE_FALSE(engine.is_awake(above));
+        std::vector<ContactView> list;
+        engine.contacts(above, list);
+        CHECK(list.size() == 2);
+        engine.remove(below);
+        engine.contacts(above, list);  // nothing that was removed is in it
+        CHECK(list.empty());
+        const BodyId other = engine.add_body(body_at({9, 3}));
+        REQUIRE(other.place == below.place);
+        CHECK(engine.is_awake(other));
+        for (const BodyId it : {above, other}) {
+            engine.contacts(it, list);
+            CHECK(list.empty());
+        }
+        engine.step(frame);
+        CHECK(engine.is_awake(above));  // what bore it is gone
+        REQUIRE(engine.events().ended.size() == (density > 0 ? 2U : 1U));
+        CHECK(engine.events().began.empty());
+    }
+}
+
 TEST_CASE("the bodies that a step has moved are those that are elsewhere", "[idea]")
 {
     World engine = piles_world(3);

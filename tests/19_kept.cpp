@@ -523,6 +523,32 @@ TEST_CASE("a world that was loaded goes on to the same bits whatever comes next"
     }
 }
 
+TEST_CASE("what is put beside a sleeper wakes it if it is near and after loading too", "[house]")
+{
+    // a box slides to where it sleeps, and its box in the tree lags behind by up to a skin of 0.1 m
+    const Real margin = WorldSettings{}.margin;
+    for (const Real side : {-1.0, 1.0})
+        for (int i = 1; i < 30; ++i) {
+            const Real gap = i / 200.0;
+            if (std::abs(gap - margin) < 1e-3) continue;  // rests at its wall to the slop
+            World engine;
+            engine.add_wall({{0, 1}, 0});
+            const BodyId body = engine.add_body({.position = {0, 0.5}, .velocity = {0.5, 0}});
+            for (int n = 0; n < 200; ++n) engine.step(frame);
+            REQUIRE_FALSE(engine.is_awake(body));
+            World other = World::load(engine.save());
+            for (World* one : {&engine, &other}) {
+                one->add_body({.shape = box(0.2, 1),
+                               .position = one->position(body) + Vec2(side * (0.6 + gap), 0),
+                               .density = 0});
+                one->step(frame);
+                INFO("side " << side << ", gap " << gap);
+                CHECK(one->is_awake(body) == (gap < margin));
+            }
+            CHECK(engine.hash() == other.hash());
+        }
+}
+
 TEST_CASE("bodies that meet without friction and loss keep their energy whatever the number of sub-steps",
           "[idea]")
 {
