@@ -609,6 +609,7 @@ TEST_CASE("a change of a body that makes no sense gets a sentence and changes no
     CHECK_THROWS_WITH(engine.set_target(slab, {nan, 0}, 0, frame), Contains("after the step"));
     CHECK_THROWS_WITH(engine.set_target(slab, {0, 0}, 0, 0), Contains("time step"));
     CHECK_THROWS_WITH(engine.set_target(edge, {0, 0}, 0, frame), Contains("edge of a chain"));
+    CHECK_THROWS_WITH(engine.move(edge, {0, 5}, 0), Contains("edge of a chain"));
     CHECK_THROWS_WITH(engine.set_target(slab, {1e75, 0}, 0, 1e-300), Contains("not finite"));
     CHECK_THROWS_WITH(engine.set_mass(it, 0, 1), Contains("the mass 0 kg"));
     CHECK_THROWS_WITH(engine.set_mass(it, 1, nan), Contains("inertia nan"));

@@ -210,7 +210,8 @@ TEST_CASE("the distance of a small solid from a large one is as exact as its cor
             const int axis = i % 3, other = (axis + 1) % 3;
             at[axis] = 0.5 * sb[axis], out[axis] = 1;
             if (i % 2 == 0) at[other] = 0.5 * sb[other], out[other] = 1;
-            const Real height = 0.5 * sa.norm() * random.uniform() + 0.1 * random.uniform();
+            const Real part = random.uniform();
+            const Real height = 0.5 * sa.norm() * part + 0.1 * random.uniform();
             const PlacedSolid b = placed(fb, {0, 0, 0}, tb);
             const PlacedSolid a = placed(fa, rotation_matrix(tb) * (at + height * out.normalized()), ta);
             if (!(std::max(best_face(a, b, 0).separation, best_across_edges(a, b).separation) >

@@ -85,6 +85,7 @@ public:
         gave_up_pushing = joints_alone = false;
         const auto one = [&](std::span<const int> rows, std::span<const int> bodies,
                              auto& apart, Corrected what) {
+            stop_beside(rows, now.rows, scene.bodies, v);
             if (what == Corrected::arcs_and_errors)
                 arcs_.follow(scene, settings.part(), rows, bodies, *this, apart,
                              second, v, now);

@@ -98,6 +98,16 @@ inline bool goes_far(const VecX& v, std::span<const int> members, Real length,
     return !(farthest <= std::max(8 * wanted, length / 20));
 }
 
+/// What could move before and cannot now has no pseudo-velocity.
+inline void stop_beside(std::span<const int> rows, const std::vector<Row<3>>& all,
+                        const Bodies<3>& bodies, VecX& v)
+{
+    for (const int i : rows)
+        for (const Index k : {all[static_cast<std::size_t>(i)].a,
+                              all[static_cast<std::size_t>(i)].b})
+            if (k != world && !bodies.can_move(k)) v.segment<3>(3 * k).setZero();
+}
+
 /// x ← x + h v, of some bodies.
 inline void move_by(const VecX& v, Real h, Bodies<3>& bodies,
                     std::span<const int> members)

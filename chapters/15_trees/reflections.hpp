@@ -148,13 +148,13 @@ private:
         second_.tolerance = 1e-9 * now.length;
         second_.solution.lambda.resize(static_cast<Index>(m));
         impulse.resize(static_cast<Index>(m));
-        late_.resize(m), fastest_.resize(m), when_.resize(m);
-        times_.resize(bodies);
+        late_.resize(m), fastest_.resize(m), when_.resize(m), times_.resize(bodies);
         if (v_.size() != bodies.u.size()) v_.setZero(bodies.u.size());
         for (const int k : members) times_.begin(bodies, k);
         for (const int i : rows)  // what cannot move may have a velocity
             for (const Index k : {at(now.rows, i).a, at(now.rows, i).b})
-                if (k != world) times_.begin(bodies, k);
+                if (k != world)
+                    times_.begin(bodies, k), v_.segment<3>(3 * k).setZero();
     }
 
     //! [approaching]

@@ -8,6 +8,9 @@
 #include "chapters/19_engine/world_things.hpp"
 
 namespace rigid {
+namespace {
+constexpr const char* edge_stays = "the body is an edge of a chain; it cannot move";
+}
 
 void World::move(BodyId body, const Vec2& position, Real angle)
 {
@@ -18,6 +21,7 @@ void World::move(BodyId body, const Vec2& position, Real angle)
             "the body is to go to (" + shortest(position.x()) + ", " +
             shortest(position.y()) + ") m at the angle " + shortest(angle) +
             " rad; they must be finite, none beyond 1e75");
+    if (s.note(k).chain >= 0) throw std::invalid_argument(edge_stays);
     s.scene.bodies.position(k) << position, angle;
     s.disturb(k);
     if (s.is_ground(k)) wake_under(s, k);
@@ -33,8 +37,7 @@ void World::set_velocity(BodyId body, const Vec2& velocity, Real spin)
                                     shortest(velocity.y()) + ") m/s and the spin " +
                                     shortest(spin) + " rad/s; they must be finite");
     if (s.note(k).chain >= 0 && !(velocity.isZero(0) && spin == 0))
-        throw std::invalid_argument(
-            "the body is an edge of a chain; it cannot move");
+        throw std::invalid_argument(edge_stays);
     s.set_velocity(k, {velocity.x(), velocity.y(), spin});
     s.note(k).aims = false;
     s.disturb(k);
