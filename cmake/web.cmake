@@ -29,9 +29,10 @@ target_compile_options(rigid_web_program PRIVATE ${small})
 # or four times over, with their remainders. Chapter 19 was 25 kB heavier in gzip, and no faster.
 # The preset leaves pairs of single numbers (-vectorize-slp=false) to Eigen as well, and makes its own way of writing one number
 # into both halves of a pair (cmake/web/splat.hpp): Emscripten 3.1.6 reads such a number too late.
+# What is as long as 50 instructions is called and not copied to where it is called; 225 is usual, and chapter 19 above 200 kB then.
 set(fast -fno-vectorize "SHELL:-mllvm -unroll-allow-partial=0" "SHELL:-mllvm -unroll-runtime=0")
 foreach(part ${rigid_parts})
-  target_compile_options(${part} PRIVATE ${fast})
+  target_compile_options(${part} PRIVATE ${fast} "SHELL:-mllvm -inline-threshold=50")
 endforeach()
 
 file(GLOB mains CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/[0-9][0-9]_*/program/main.cpp)
